@@ -32,22 +32,22 @@ namespace vorpipe {
 
 /// One backend, ready to work. Not thread-safe.
 ///
-/// Where its device refuses memory it is given less at a time, which changes no cell. Where it fails, and the
-/// name it was opened by was `auto` or `vulkan`, the next backend takes over, for this run and later ones;
-/// Report::notes says so.
+/// If its device refuses memory, the session works in smaller parts, which changes no cell. If the device
+/// fails and the session was opened as `auto` or `vulkan`, the next backend takes over, for this run and
+/// later ones; Report::notes records it.
 class Session {
  public:
-  /// Opens the backend that options name; an error says which is missing and what would help.
+  /// Opens the backend that options name; an error says which one is missing and what would help.
   static Result<Session> open(const BackendOptions& options);
   Session(Session&&) noexcept;
   Session& operator=(Session&&) noexcept;
   ~Session();
 
-  /// Draws the diagram of at least one finite site. Errors: no sites, a number that is not finite,
-  /// a domain or size out of range (input); the device failed (device); progress said stop.
+  /// Draws the diagram of at least one finite site. Errors: no sites, a number that is not finite, a domain
+  /// or size out of range (input); the device failed (device); progress asked to stop (cancelled).
   Result<Rendering> render(const Sites& sites, const RenderOptions& options);
 
-  /// Computes the cells of at least one finite site. Errors: as render's.
+  /// Computes the cells of at least one finite site. Errors: those of render.
   Result<Diagram> cells(const Sites& sites, const CellsOptions& options);
 
   /// Measures how the device rounds, by computing and drawing on it. Error (device): it failed.
@@ -55,9 +55,9 @@ class Session {
 
   /// backend, device and driver in use; usable is true.
   [[nodiscard]] const DeviceInfo& device() const;
-  /// Why `auto` or `vulkan` took this backend, or why it took over; empty where the caller named it.
+  /// Why `auto` or `vulkan` chose this backend, or why it took over; empty if the caller named it.
   [[nodiscard]] const std::string& choice() const;
-  [[nodiscard]] int threads() const;  ///< of the processor; 0 for all
+  [[nodiscard]] int threads() const;  ///< CPU threads; 0: all
 
  private:
   friend class CellsInTiles;

@@ -1,7 +1,7 @@
-/// The interface between core and one device: what a backend is given and what it answers (decision D1).
+/// The interface between core and one device: the input and the results of a backend (decision D1).
 ///
-/// A backend does the geometry that core asks for and decides nothing else: which sites, in which
-/// order, with which candidates, and what follows from a status is core's. Calls block.
+/// A backend only does the geometry that core asks for. Core decides which sites, in which order, with which
+/// candidates, and what follows from a status. Calls block.
 #pragma once
 
 #include <array>
@@ -17,54 +17,54 @@
 
 namespace vorpipe {
 
-/// Which drivers to look for a device with: those of hardware alone leave out any that computes on the host's
+/// Which drivers to search for a device. `hardware` excludes any driver that computes on the host's
 /// processors, before it is opened.
 enum class Drivers : std::uint8_t { any, hardware };
 
-/// A line {p : p . (nx, ny) = h}; the cell lies where p . n <= h. n is a unit vector.
-/// `bound` is a lower bound of the distance from the site at which this and every later line of the
-/// same entry come from: once it reaches the security radius, the rest of the list cannot cut.
+/// A line {p : p . (nx, ny) = h}; the cell lies where p . n <= h. n is a unit vector. `bound` is a lower
+/// bound of the distance between the site and the sites behind this and every later line of the entry. Once
+/// it reaches the security radius, the rest of the list cannot cut the cell.
 template <class Real>
 struct HalfPlane {
   Real nx, ny, h, bound;
 };
 
-/// A uniform grid of square bins over sites; shaders/glsl/grid.glsl walks it.
-/// Bin (column, row) holds the sites offsets[row * columns + column] up to the next entry. A site lies in
-/// [xmin + column * size, xmin + (column + 1) * size] and in its row likewise, up to rounding in double;
-/// one beyond the grid stands in the bin at its border that is nearest.
+/// A uniform grid of square bins over sites; shaders/glsl/grid.glsl walks it. Bin (column, row) holds the
+/// sites from offsets[row * columns + column] up to the next entry. A site lies in [xmin + column * size,
+/// xmin + (column + 1) * size] and in its row likewise, up to rounding in double; a site beyond the grid is
+/// in the nearest bin at its border.
 struct Grid {
   double xmin = 0, ymin = 0, size = 1;
   std::uint32_t columns = 1, rows = 1;
   std::vector<std::uint32_t> offsets;  ///< size: columns * rows + 1
-  /// Where sites have weights: the largest weight in each bin, those of SiteSet::heavy left out, and minus
-  /// infinity in a bin without others; then in each 2 x 2 of these numbers, and so on up to one number for
-  /// the whole grid. Level l has ceil(columns / 2^l) x ceil(rows / 2^l) numbers, row by row. Sites that a
-  /// tile does not know are counted as well, in the bins at its border that are nearest to them.
+  /// If sites have weights: the largest weight in each bin without the sites of SiteSet::heavy, or minus
+  /// infinity if the bin has no others. The maximum of each 2 x 2 of these numbers follows, and so on up to
+  /// one number for the whole grid. Level l has ceil(columns / 2^l) x ceil(rows / 2^l) numbers, row by row.
+  /// Sites that a tile does not contain count as well, in the nearest bins at its border.
   std::vector<double> heaviest{};
 };
 
 inline constexpr std::size_t most_heavy = 32;
 
-/// Unique sites, in scaled units (the input times a power of two, so that the domain's longer side
-/// is in [1, 2)), bin by bin of their grid, row by row; inside a bin by input index.
+/// Unique sites in scaled units: the input times a power of two, with the domain's longer side in [1, 2).
+/// Sites are ordered by the bins of their grid, row by row, and inside a bin by input index.
 struct SiteSet {
   std::vector<double> x, y;
-  /// Empty where all are equal; else in scaled units squared, and less the least of the input where that
-  /// rounds none of them: only their differences mean something.
+  /// Empty if all are equal; otherwise in scaled units squared. The smallest weight of the input is
+  /// subtracted where that rounds none of them: only differences matter.
   std::vector<double> weight{};
   std::vector<std::uint32_t> id;  ///< index in the input
   Box domain{};                   ///< what cells are clipped to
-  /// The shorter side of a periodic domain, around which `domain` has a band of images.
+  /// The shorter side of a periodic domain; `domain` adds a band of images around it.
   double shorter_side = std::numeric_limits<double>::infinity();
-  bool has_images = false;  ///< of the sites of a periodic domain
-  Box coverage{};           ///< every site in here is in the set; unbounded but for a tile
-  /// At most most_heavy sites, the heaviest first, so much heavier than the others that every cell is cut by
-  /// them first: they would make the search of many cells wide. A tile has all of them; those that are
-  /// elsewhere stand behind its bins.
+  bool has_images = false;  ///< whether it contains images of the sites of a periodic domain
+  Box coverage{};           ///< the set contains every site in this box; unbounded except for a tile
+  /// At most most_heavy sites, heaviest first, that are much heavier than the others. They cut every cell
+  /// first, since they would widen the search of many cells. A tile has all of them; those from elsewhere
+  /// follow its bins.
   std::vector<std::uint32_t> heavy{};
-  /// By site: 1 where it is known to have no cell, as some with weights have none; or empty. A place may be
-  /// as near to such a site as to one that has, by rounding.
+  /// By site: 1 if it is known to have no cell, which is possible with weights; or empty. Because of
+  /// rounding, a place may be as near to such a site as to one with a cell.
   std::vector<std::uint8_t> hidden{};
   Grid grid;
   [[nodiscard]] std::size_t size() const { return x.size(); }
@@ -86,11 +86,11 @@ struct CellBatch {
   std::vector<HalfPlane<Real>> lines;
 };
 
-/// What a shader found out about one entry; the numbers are shared with shaders/glsl/layout.glsl.
+/// Result of a shader for one entry; the numbers are shared with shaders/glsl/layout.glsl.
 enum class CellStatus : std::uint8_t {
   missing = 0,    ///< the device did not answer
   certified = 1,  ///< complete: no other site can cut it
-  empty = 2,      ///< certified, and nothing of it lies inside the domain
+  empty = 2,      ///< certified, and no part of it lies inside the domain
   overflow = 3,   ///< more edges than there was room for
   unsecured = 4,  ///< sites beyond the entry's reach might cut it
   open = 5,       ///< its edges do not close: rounding was too coarse
@@ -100,7 +100,7 @@ enum class CellStatus : std::uint8_t {
 /// triangle.
 struct DrawMark {
   float x, y;                   ///< in normalized device coordinates of the view
-  std::uint32_t id;             ///< what the id image gets
+  std::uint32_t id;             ///< value written to the id image
   std::uint32_t palette_index;  ///< index into the view's palette, 0 to 255
 };
 
@@ -108,17 +108,17 @@ using Palette = std::array<std::uint32_t, 256>;  ///< RGBA, R in the lowest byte
 
 /// A picture of `box` (scaled units); box may be a part of the domain.
 struct View {
-  Box box;            ///< from `corner`
+  Box box;            ///< relative to `corner`
   int width, height;  ///< at most BackendInfo::max_view
   Palette palette;
-  Point corner{0, 0};  ///< of the domain, for instance: apart from the box it rounds no place of a pixel
+  Point corner{0, 0};  ///< for example the domain's; kept apart so that no pixel's place is rounded
 };
 
-/// The neighbors of cells, entry by entry, counter-clockwise from the smallest number: those of entry e stand
+/// The neighbors of cells, entry by entry, counter-clockwise from the smallest number. Those of entry e are
 /// at offsets[e] up to offsets[e + 1]. A neighbor is the index of a site in the SiteSet, or of a line in its
-/// entry of a batch, or one of the walls -1..-4. An entry that is not `certified` has none; but one that is
-/// `empty` in a set with weights has the sites and walls that leave nothing of it, in any order, some perhaps
-/// twice.
+/// entry of a batch, or one of the walls -1..-4. An entry that is not `certified` has none, with one
+/// exception. In a set with weights, an `empty` entry lists the sites and walls that leave nothing of it, in
+/// any order and possibly with duplicates.
 struct CellNeighbors {
   std::vector<CellStatus> status;
   BigVector<std::uint64_t> offsets;  ///< size: entries + 1
@@ -134,7 +134,7 @@ struct BackendInfo {
   std::uint32_t max_entries = 0;  ///< most entries in one batch, most sites in one call of cells or draw
   int most_edges = 0;             ///< room for edges with Effort::roomy
   int subpixel_bits = 8;          ///< vertices are snapped to 1 / 2^bits of a pixel
-  bool has_vertices = true;       ///< whether pictures are drawn at all, or every pixel is asked for
+  bool has_vertices = true;       ///< whether pictures are drawn; else every pixel is searched for
 };
 
 /// Numbers for a device to compute with, so that its rounding can be measured.
@@ -142,19 +142,19 @@ struct Operands {
   float a, b, c, d;
 };
 
-/// What it makes of them in float; shaders/glsl/arithmetic.glsl.
+/// The device's float results; shaders/glsl/arithmetic.glsl.
 struct Computed {
   float quotient;       ///< a / b
   float root;           ///< of |a|
   float inverse_root;   ///< of |a|
   float product;        ///< a b
   float sum;            ///< a + b
-  float product_sum;    ///< a b + c, which may be rounded once
-  float rounded_twice;  ///< a b + c, which must not
+  float product_sum;    ///< a b + c, where a single rounding is allowed
+  float rounded_twice;  ///< a b + c, where a single rounding is not allowed
   float offset;         ///< (a - b) + (c - d), in this order
 };
 
-/// How much room a cell is clipped with, in float.
+/// How much room for edges a cell gets when it is clipped in float.
 enum class Effort : std::uint8_t {
   fast,   ///< EDGES_FAST edges at any time of the clipping
   roomy,  ///< the most that the backend has
@@ -167,53 +167,54 @@ class Backend {
   virtual const BackendInfo& info() const = 0;
 
   /// Replaces the sites. palette_index[i] is the index into a view's palette for the cell of site i; empty
-  /// when nothing will be drawn. Both outlive every later call that names sites by index, and read(); the
-  /// calls for batches, and begin(), may come when they are gone.
+  /// when nothing will be drawn. Both must outlive every later call that names sites by index, and read().
+  /// The calls for batches, and begin(), do not need them.
   virtual Result<void> upload(const SiteSet& sites, std::span<const std::uint8_t> palette_index) = 0;
 
-  /// Finds the cells of the sites `which` (indices in the set) by the search over the grid. `out` is
-  /// replaced, with an entry for each. A neighborhood is what rounding lets through: neighbors across an edge
-  /// of nearly no length may be there or not.
+  /// Finds the cells of the sites `which` (indices in the set) by searching the grid. Replaces `out`, with
+  /// one entry for each. Neighborhoods are subject to rounding: neighbors across an edge of almost no length
+  /// may or may not be listed.
   virtual Result<void> cells(std::span<const std::uint32_t> which, Effort effort, CellNeighbors& out) = 0;
 
-  /// Clips each entry of a batch and returns its neighborhood, with the most room there is.
+  /// Clips each entry of a batch with the most room available and returns its neighborhood.
   virtual Result<void> cells(const CellBatch<double>& batch, CellNeighbors& out) = 0;
 
   /// Clears the picture: every pixel has no_site and color 0.
   virtual Result<void> begin(const View& view) = 0;
 
-  /// Finds the cells of the sites `which`, which have no weights, widened by half a step of the device's
-  /// vertex grid so that neighbors leave no gap, and draws those that come out `certified` over what is
-  /// there, in order. Where the grid is coarse they are shrunk instead, and may leave pixels at their edges;
-  /// a cell of which floats might lose more than shows is `unsecured` (precision.h). status has one element
-  /// for each. One that is shrunk to nothing is `certified`.
+  /// Finds the cells of the sites `which`, which have no weights, and draws the `certified` ones over the
+  /// picture, in order. Cells are widened by half a step of the device's vertex grid so that neighbors leave
+  /// no gap. If the grid is coarse, they are shrunk instead and may leave pixels at their edges uncovered. A
+  /// cell whose float error might be visible is `unsecured` (precision.h). status has one element per site. A
+  /// cell that is shrunk to nothing is `certified`.
   virtual Result<void> draw(std::span<const std::uint32_t> which, Effort effort,
                             std::span<CellStatus> status) = 0;
 
-  /// The same for the entries of a batch, but that the caller knows what floats lose of them. marks and
+  /// The same for the entries of a batch, except that the caller accounts for their float error. marks and
   /// status have one element per entry.
   virtual Result<void> draw(const CellBatch<float>& batch, std::span<const DrawMark> marks, Effort effort,
                             std::span<CellStatus> status) = 0;
 
-  /// Draws triangles over what is there, in order: the corners of triangle t are those that `corner_of` names
-  /// from 3 t on. They are at most max_lines corners and triangles; all corners of one have the same mark.
+  /// Draws triangles over the picture, in order. The corners of triangle t are the three that `corner_of`
+  /// lists from index 3 t on. There are at most max_lines corners and at most max_lines triangles; all
+  /// corners of a triangle have the same mark.
   virtual Result<void> drawTriangles(std::span<const DrawMark> corners,
                                      std::span<const std::uint32_t> corner_of) = 0;
 
   /// Reads the picture back. Row 0 is the bottom row of the view. Both spans hold width * height.
   virtual Result<void> read(std::span<std::uint32_t> rgba, std::span<std::uint32_t> ids) = 0;
 
-  /// Computes in float, in one shader or another. out has one element for each of the operands.
+  /// Evaluates the operands in float, in some shader. out has one element for each of them.
   virtual Result<void> compute(std::span<const Operands> operands, std::span<Computed> out) = 0;
 
-  /// How long the device has been at work, by its own clock, since it was opened; negative where none is
-  /// read: software devices, and those without timestamps.
+  /// Returns how long the device has worked since it was opened, by its own clock. Negative if no clock is
+  /// read: software devices, and devices without timestamps.
   [[nodiscard]] virtual double deviceSeconds() const { return -1; }
 
-  /// The pipelines that were made since the last call.
+  /// Returns the pipelines made since the last call.
   virtual std::vector<PipelineTime> pipelinesMade() { return {}; }
 
-  /// What the validation layers said since the last call.
+  /// Returns the messages of the validation layers since the last call.
   virtual std::vector<std::string> validationMessages() { return {}; }
 };
 

@@ -1,4 +1,4 @@
-/// What a device can do, as far as vorpipe uses it, under Vulkan's names whatever the API is.
+/// The capabilities of a device that vorpipe uses, under Vulkan's names for every API.
 #pragma once
 
 #include <array>
@@ -61,11 +61,11 @@ inline constexpr std::array<NamedLimit, 10> known_limits = {{
     {"heapBudget", &Capabilities::heap_budget},
 }};
 
-/// Vulkan and OpenGL guarantee as many bits of a vertex's place inside a pixel.
+/// Vulkan and OpenGL guarantee this many bits for a vertex's position inside a pixel.
 inline constexpr std::uint64_t least_subpixel_bits = 4;
 
-/// Takes away the features and lowers the limits that mask names; a limit above the device's own
-/// changes nothing. Error (input): a name that is not known; the message lists those that are.
+/// Disables the features and lowers the limits that mask names; a limit above the device's own has no effect.
+/// Error (input): an unknown name; the message lists the known ones.
 Result<void> applyMask(Capabilities& capabilities, const Mask& mask);
 
 /// The features by name, as DeviceInfo lists them.

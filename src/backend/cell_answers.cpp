@@ -40,7 +40,7 @@ void append(const CellAnswers& answers, CellNeighbors& out) {
   const std::size_t before = out.status.size();
   out.status.resize(before + answers.count);
   out.offsets.resize(before + answers.count + 1);
-  // For each block of entries its number of neighbors, then the index of the first of them.
+  // The number of neighbors in each block of entries, later the index of its first neighbor.
   std::vector<std::uint64_t> block_begin((answers.count + entries_at_once - 1) / entries_at_once);
   parallelFor(answers.count, entries_at_once, 0, [&](std::size_t begin, std::size_t end) {
     std::uint64_t sum = 0;

@@ -1,4 +1,4 @@
-/// The answers of edges.geom and neighbors.comp of shaders/glsl, as CellNeighbors.
+/// Converts the answers of edges.geom and neighbors.comp of shaders/glsl to CellNeighbors.
 #pragma once
 
 #include <cstddef>
@@ -8,8 +8,8 @@
 
 namespace vorpipe {
 
-/// The answers for `count` entries, as the device wrote them: for each a word, and a row of int32 with its
-/// neighbors. Strides are in bytes.
+/// The answers for `count` entries, as the device wrote them. Each entry has a word, and a row of int32 with
+/// its neighbors. Strides are in bytes.
 struct CellAnswers {
   std::size_t count;  ///< entries
   std::size_t room;   ///< for neighbors in a row
@@ -19,17 +19,18 @@ struct CellAnswers {
   std::size_t row_stride;
 };
 
-/// The length of a row for cells of at most `edges` edges, a multiple of four. With weights, an empty cell is
-/// answered with the lines that leave nothing of it, which may be edges + 1.
+/// Returns the row length for cells with at most `edges` edges, a multiple of four. With weights, the answer
+/// for an empty cell lists the lines that leave nothing of it, which may be edges + 1.
 constexpr std::size_t answerRoom(std::size_t edges, bool weighted) { return edges + (weighted ? 4 : 0); }
 
-/// The status in a word; `missing` if it makes no sense.
+/// Returns the status in a word; `missing` if it is invalid.
 CellStatus statusIn(std::uint32_t word);
 
-/// Reserves memory in an empty `out` for `entries` rows of `room` numbers: appending does not move them.
+/// Reserves memory in an empty `out` for `entries` rows of `room` numbers, so that appending does not move
+/// them.
 void reserve(std::size_t entries, std::size_t room, CellNeighbors& out);
 
-/// Appends the entries of `answers` to `out`, on all threads. One whose word makes no sense is `missing`.
+/// Appends the entries of `answers` to `out`, on all threads. An entry with an invalid word is `missing`.
 void append(const CellAnswers& answers, CellNeighbors& out);
 
 /// Appends the entries of `part` to `out`.

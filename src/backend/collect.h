@@ -1,4 +1,4 @@
-/// CellNeighbors found on all threads, put together in order.
+/// Finds CellNeighbors on all threads and joins them in order.
 #pragma once
 
 #include <algorithm>
@@ -10,12 +10,12 @@
 
 namespace vorpipe {
 
-/// Turns the neighbors of a cell so that the smallest number comes first.
+/// Rotates the neighbors of a cell so that the smallest number comes first.
 inline void beginAtFirst(std::span<std::int32_t> neighbors) {
   std::rotate(neighbors.begin(), std::min_element(neighbors.begin(), neighbors.end()), neighbors.end());
 }
 
-/// Gives the sites or lines among the neighbors of entry e other numbers.
+/// Renumbers the sites or lines among the neighbors of entry e.
 template <class NumberOf>
 void renumber(CellNeighbors& cells, std::size_t e, const NumberOf& numberOf) {
   const auto neighbors =
@@ -28,8 +28,8 @@ void renumber(CellNeighbors& cells, std::size_t e, const NumberOf& numberOf) {
 
 constexpr std::size_t collect_grain = 1024;
 
-/// Replaces `out` with `count` neighborhoods. make() is called for every range of entries and returns
-/// what finds one: find(e, neighbors) appends the neighbors of entry e and returns its status.
+/// Replaces `out` with `count` neighborhoods. Calls make() for every range of entries. It returns a function
+/// find(e, neighbors), which appends the neighbors of entry e and returns its status.
 template <class Make>
 void collect(std::size_t count, int threads, CellNeighbors& out, const Make& make) {
   constexpr std::size_t usual_neighbors = 8;

@@ -11,15 +11,16 @@ namespace vorpipe {
 namespace {
 
 constexpr std::uint64_t million = 1'000'000, word = 4;
-/// Color and id, in the target; and once more where they are copied to before the host reads them.
+/// Color and id in the target, and again in the buffer that the host reads them from.
 constexpr std::uint64_t target_pixel = 2 * word, download_pixel = 2 * word;
 /// Of a row of neighbors with room for eight, and of the word beside it.
 constexpr std::uint64_t row = EDGES_FAST * word, weighted_row = row + 4 * word;
 constexpr std::uint64_t triangle_indices = 3 * (EDGES_MOST - 2) * word, polygon_vertices = EDGES_MOST * 16;
 
-// Programs and drivers as measured with Mesa 22.3.6 and LLVM 15: of an empty shader cache, which takes more.
+// Programs and drivers as measured with Mesa 22.3.6 and LLVM 15, with an empty shader cache, which needs
+// more.
 constexpr DeviceNeeds of_cpu =
-    {  // And some megabytes for threads, and for what is smaller than arrays by site.
+    {  // Includes some megabytes for threads and for data smaller than per-site arrays.
         .program = 15 * million,
         .compiling = 0,
         .site = 0,
@@ -44,7 +45,7 @@ constexpr DeviceNeeds of_cpu =
         .further_device = 0,
         .reserves_rows = false};
 
-/// What all devices have in common.
+/// Needs that all devices have in common.
 constexpr DeviceNeeds ofDevice() {
   DeviceNeeds needs = of_cpu;
   needs.site = sizeof(SiteTexel);
@@ -78,7 +79,7 @@ DeviceNeeds ofGeometry(int threads) {
   needs.program = 103 * million + newer_driver_bytes;
   needs.rasterizing = 48 * million;
   needs.compiling = 12 * million;
-  needs.answer += word;  // the word is copied to the host's
+  needs.answer += word;  // the word is also copied to host memory
   needs.weighted_answer += word;
   needs.slice = needs.drawn_slice = std::uint64_t{1} << 16;
   needs.polygon = 2 * word;
@@ -108,7 +109,7 @@ DeviceNeeds ofOpenGl() {
 
 DeviceNeeds deviceNeeds(std::string_view backend, int threads) {
   if (backend == "vulkan-compute") return ofCompute();
-  // What these two stand for is only known once it is open; it needs no more.
+  // The backend behind these two names is only known once it is open; it needs no more.
   if (backend == "vulkan-geometry" || backend == "vulkan" || backend == "auto") return ofGeometry(threads);
   if (backend == "opengl") return ofOpenGl();
   return of_cpu;

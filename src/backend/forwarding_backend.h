@@ -1,4 +1,4 @@
-/// A backend that passes every call on: one that derives from it changes some of them.
+/// A backend that forwards every call to another; derived classes override some of them.
 #pragma once
 
 #include "backend/backend.h"

@@ -1,4 +1,4 @@
-/// What the pixels of a picture may be off by, shared out among what makes them so; docs/algorithm.md, "From
+/// The error allowed in the pixels of a picture, divided among its sources; see docs/algorithm.md, "From
 /// cells to pixels".
 #pragma once
 
@@ -9,34 +9,34 @@
 
 namespace vorpipe {
 
-/// What floats lose at most of the lines and corners of a cell, for each unit of the way from its origin to
-/// its farthest corner.
+/// Largest float error of a cell's lines and corners, per unit of distance from its origin to its farthest
+/// corner.
 inline constexpr double reach_rounding = 40 * 0x1p-24;
 
-/// Shares of what a pixel may be off by, in pixels along one axis.
+/// Shares of a pixel's allowed error, in pixels along one axis.
 struct PixelShares {
-  /// 1/128 in all, across a bisector of any direction.
+  /// The total: 1/128 across a bisector of any direction.
   static constexpr double all = 1.0 / 128 / 1.4142135623730951;
-  /// What even the largest views leave to cells.
+  /// The share that even the largest views leave to cells.
   static constexpr double least_lost = 0.0003;
 
   double snapping;  ///< half a step of the vertex grid
-  double rounding;  ///< what is lost on the way from coordinates of the view to its pixels
-  double lost;      ///< what may be lost of a cell
+  double rounding;  ///< error of the conversion from view coordinates to pixels
+  double lost;      ///< error allowed in the cell itself
 
-  /// By how much a cell is widened: as much as vertices move, so that no gap is left between neighbors, if
-  /// that is not too much. Else cells are drawn smaller, and shrunk where this is negative.
+  /// Returns how far a cell is widened: as far as vertices move, so that neighbors leave no gap, if the total
+  /// allows it. Otherwise cells are drawn smaller; if the result is negative, they are shrunk.
   [[nodiscard]] double outset() const {
     const double moved = snapping + rounding;
     return std::min(moved, all - moved - lost);
   }
 };
 
-/// The shares along one axis of a view, which has `pixels` pixels along it and `longer` along its longer
-/// axis, on a device that snaps vertices to 1 / 2^subpixel_bits of a pixel.
+/// Returns the shares along one axis of a view with `pixels` pixels along it and `longer` along its longer
+/// axis. The device snaps vertices to 1 / 2^subpixel_bits of a pixel.
 ///
-/// A coordinate that is rounded to float some eight times on its way to the pixel grid is off by as many
-/// 2^-25 of the view's size. The coarser that grid is, the less a little more matters to cells.
+/// A coordinate is rounded to float about eight times on its way to the pixel grid, so its error is as many
+/// 2^-25 of the view's size. The coarser that grid is, the less a slightly larger error of the cells matters.
 inline PixelShares pixelShares(int pixels, int longer, int subpixel_bits) {
   const double snapping = std::ldexp(0.5, -subpixel_bits);
   const auto rounding = [](int side) { return std::ldexp(static_cast<double>(side), -22); };
@@ -45,7 +45,7 @@ inline PixelShares pixelShares(int pixels, int longer, int subpixel_bits) {
   return {snapping, rounding(pixels), std::max({left, PixelShares::least_lost, of_coarse * snapping})};
 }
 
-/// What may be lost of a cell in a view, in scaled units.
+/// Returns the error allowed in a cell of a view, in scaled units.
 inline double lossAllowed(const View& view, int subpixel_bits) {
   const int longer = std::max(view.width, view.height);
   return pixelShares(longer, longer, subpixel_bits).lost *

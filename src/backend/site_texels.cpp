@@ -14,12 +14,12 @@
 namespace vorpipe {
 namespace {
 
-// Searches beyond are left to the judge, whose tree takes no longer where sites crowd in few bins.
+// Longer searches are left to the judge, whose tree is no slower where sites crowd in few bins.
 constexpr std::int32_t most_tried = 512;
-// Where weights differ by far more than the square of a spacing, cells have many spacings to search.
+// If weights differ by much more than the square of a spacing, cells have many spacings to search.
 constexpr std::int32_t most_tried_weighted = 4096;
 
-// Stands for infinity, which shaders need not know; FAR of cell.glsl.
+// Represents infinity, which shaders need not support; FAR of cell.glsl.
 constexpr double far = 1e30;
 
 static_assert(most_heavy == MOST_HEAVY);
@@ -79,10 +79,10 @@ SiteGridUniform siteGridUniform(const SiteSet& sites) {
   splitBox(center, sites.coverage, block.coverage_high, block.coverage_low);
   block.corner = fromCenter(center, grid.xmin, grid.ymin);
   block.size = static_cast<float>(grid.size);
-  // The corner seen from an origin, the size of a bin, their product with an index and the sum are rounded,
-  // each by 2^-24 at most of the longest way from the origin to a corner of the grid; a quotient by that size
-  // is off by five times as much. A device that sorts sites into bins does so with another quotient, of a way
-  // that is up to twice as long.
+  // The corner relative to an origin, the size of a bin, their product with an index and the sum are rounded.
+  // Each error is at most 2^-24 of the longest distance from the origin to a corner of the grid; a quotient
+  // by that size is off by five times as much. A device that sorts sites into bins uses another quotient, of
+  // a distance that is up to twice as long.
   block.slack = 0x1p-19F;
   block.columns = static_cast<std::int32_t>(grid.columns);
   block.rows = static_cast<std::int32_t>(grid.rows);
@@ -122,7 +122,7 @@ void writeHeaviest(const SiteSet& sites, std::byte* to) {
   const std::vector<double>& heaviest = sites.grid.heaviest;
   writeAll<float>(heaviestBytes(sites) / sizeof(float), to, [&](std::size_t number) {
     if (number >= heaviest.size()) return 0.0F;
-    // Shaders know a weight to 2^-48 of it.
+    // Shaders hold a weight with a relative error of 2^-48.
     const double bound = std::clamp(heaviest[number] + std::abs(heaviest[number]) * 0x1p-46, -far, far);
     const auto rounded = static_cast<float>(bound);
     return static_cast<double>(rounded) < bound ? std::nextafter(rounded, std::numeric_limits<float>::max())

@@ -9,18 +9,18 @@
 
 namespace vorpipe {
 
-/// A site, from the center of the domain: each coordinate is the sum of what a float holds of it
-/// and what a float holds of the rest, so that the difference of two sites loses next to nothing.
+/// A site relative to the center of the domain. Each coordinate is the sum of two floats, the second with the
+/// remainder, so that the difference of two sites loses almost nothing.
 struct SiteTexel {
   float x_high, y_high, x_low, y_low;
 };
 
-/// Returns a point, seen from another, in the way of the sites of an upload with this domain.
+/// Returns point `p`, given relative to `from`, in the format of uploaded sites with this domain.
 SiteTexel siteTexel(const Box& domain, Point from, Point p);
 
-/// What a picture needs to know about a site.
+/// What a picture needs from a site.
 struct SiteMark {
-  std::uint32_t id;             ///< what the id image gets
+  std::uint32_t id;             ///< value written to the id image
   std::uint32_t palette_index;  ///< index into a view's palette
 };
 
@@ -30,9 +30,10 @@ struct SiteGridUniform {
   float coverage_high[4], coverage_low[4];
   SiteTexel corner;  ///< of the grid, at its lowest coordinates
   float size;        ///< of a bin
-  float slack;  ///< by how much a site may lie outside of its bin, of the way to the grid's farthest corner
+  float slack;  ///< how far a site may lie outside its bin, relative to the distance of the grid's farthest
+                ///< corner
   std::int32_t columns, rows;
-  std::int32_t most;  ///< sites that a search tries before it gives up
+  std::int32_t most;  ///< number of sites that a search tries before it gives up
   std::int32_t heavy_count;
   std::int32_t padding[2];
   std::int32_t heavy[most_heavy];  ///< SiteSet::heavy
@@ -41,25 +42,26 @@ struct SiteGridUniform {
 /// Returns the block for the sites of an upload.
 SiteGridUniform siteGridUniform(const SiteSet& sites);
 
-/// Writes a SiteTexel for every site, to mapped memory for instance, on all threads.
-/// `to` has room for sites.size() of them.
+/// Writes a SiteTexel for every site, on all threads. `to` has room for sites.size() of them and may be
+/// mapped memory.
 void writeSiteTexels(const SiteSet& sites, std::byte* to);
 
-/// Writes a SiteMark for every site likewise; palette_index has an element for each.
+/// Writes a SiteMark for every site in the same way; palette_index has one element per site.
 void writeSiteMarks(const SiteSet& sites, std::span<const std::uint8_t> palette_index, std::byte* to);
 
-/// A weight: what a float holds of it, and what a float holds of the rest.
+/// A weight as the sum of two floats, the second with the remainder.
 struct WeightTexel {
   float high, low;
 };
 
-/// Writes a WeightTexel for every site likewise. The set has weights.
+/// Writes a WeightTexel for every site in the same way. The set must have weights.
 void writeWeightTexels(const SiteSet& sites, std::byte* to);
 
-/// How many bytes writeHeaviest() writes: a float for each of Grid::heaviest, in texels of four.
+/// Returns the number of bytes that writeHeaviest() writes: one float per element of Grid::heaviest, padded
+/// to texels of four.
 std::size_t heaviestBytes(const SiteSet& sites);
 
-/// Writes Grid::heaviest, rounded up.
+/// Writes Grid::heaviest in float, each value rounded up.
 void writeHeaviest(const SiteSet& sites, std::byte* to);
 
 }  // namespace vorpipe

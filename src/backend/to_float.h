@@ -1,11 +1,11 @@
-/// A batch as devices take it.
+/// A batch in float, as devices take it.
 #pragma once
 
 #include "backend/backend.h"
 
 namespace vorpipe {
 
-/// Rounds every number of a batch.
+/// Returns a batch with every number rounded to float.
 CellBatch<float> toFloat(const CellBatch<double>& batch);
 
 }  // namespace vorpipe

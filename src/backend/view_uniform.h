@@ -9,18 +9,18 @@ namespace vorpipe {
 
 static_assert(REACH_ROUNDING == reach_rounding);
 
-/// As std140 lays the block out.
+/// The block in std140 layout.
 struct ViewUniform {
   float scale_x, scale_y;         ///< normalized device coordinates per scaled unit
-  float outset_x, outset_y;       ///< by how much a cell is widened, in scaled units; negative: shrunk
+  float outset_x, outset_y;       ///< how far a cell is widened, in scaled units; negative: shrunk
   float half_width, half_height;  ///< of the view, in pixels
-  float margin;                   ///< by how much a vertex may be off, in pixels
-  float allowed;                  ///< by how much floats may be off about a cell, in scaled units
+  float margin;                   ///< largest error of a vertex, in pixels
+  float allowed;                  ///< float error allowed in a cell, in scaled units
   SiteTexel center;               ///< of the view
 };
 
 /// Returns the block for a view drawn by a device that snaps vertices to 1 / 2^subpixel_bits of a pixel.
-/// domain is that of the sites whose cells are drawn; without such, any.
+/// `domain` is that of the sites whose cells are drawn; without sites, any box.
 inline ViewUniform viewUniform(const View& view, int subpixel_bits, const Box& domain) {
   const int longer = std::max(view.width, view.height);
   const auto shares = [&](int pixels) { return pixelShares(pixels, longer, subpixel_bits); };

@@ -1,4 +1,4 @@
-/// Sums over many terms that do not depend on the number of threads: blocks of one size are added in order.
+/// Sums over many terms, independent of the number of threads: blocks of one size are added in order.
 #pragma once
 
 #include <array>
@@ -11,10 +11,10 @@
 
 namespace vorpipe {
 
-/// Terms of a block.
+/// Number of terms in a block.
 inline constexpr std::size_t sum_block = 1024;
 
-/// A sum that keeps what rounding takes from it (Neumaier 1974).
+/// A sum that compensates for its rounding errors (Neumaier 1974).
 class CarefulSum {
  public:
   void add(double term) {
@@ -22,15 +22,14 @@ class CarefulSum {
     rest_ += std::abs(sum_) >= std::abs(term) ? (sum_ - sum) + term : (term - sum) + sum_;
     sum_ = sum;
   }
-  /// Infinite where it is beyond what a double holds.
+  /// Infinite if the sum exceeds the range of double.
   [[nodiscard]] double value() const { return std::isfinite(sum_) ? sum_ + rest_ : sum_; }
 
  private:
   double sum_ = 0, rest_ = 0;
 };
 
-/// Calls part(begin, end) for each block of [0, count), on several threads; returns what it returned, in
-/// order.
+/// Calls part(begin, end) for each block of [0, count), on several threads; returns its results in order.
 template <class Value, class Part>
 std::vector<Value> byBlocks(std::size_t count, int threads, const Part& part) {
   std::vector<Value> parts((count + sum_block - 1) / sum_block);
@@ -39,7 +38,7 @@ std::vector<Value> byBlocks(std::size_t count, int threads, const Part& part) {
   return parts;
 }
 
-/// The sum of term(i) over [0, count), good to the last bits.
+/// Returns the sum of term(i) over [0, count), accurate to the last bits.
 template <class Term>
 double carefulSum(std::size_t count, int threads, const Term& term) {
   const auto parts = byBlocks<double>(count, threads, [&](std::size_t begin, std::size_t end) {
@@ -52,7 +51,7 @@ double carefulSum(std::size_t count, int threads, const Term& term) {
   return sum.value();
 }
 
-/// Several sums at a time: part(begin, end) returns those of a block.
+/// Returns several sums at once: part(begin, end) returns those of a block.
 template <std::size_t count, class Part>
 std::array<double, count> sumsByBlocks(std::size_t size, int threads, const Part& part) {
   std::array<double, count> sums{};

@@ -1,5 +1,5 @@
-/// Disjoint sets that several threads may join at a time
-/// (Anderson and Woll 1991, "Wait-free parallel algorithms for the union-find problem").
+/// Disjoint sets that several threads may join concurrently (Anderson and Woll 1991, "Wait-free parallel
+/// algorithms for the union-find problem").
 #pragma once
 
 #include <atomic>

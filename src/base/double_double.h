@@ -28,7 +28,7 @@ struct DoubleDouble {
     return {s, b - (s - a)};
   }
 
-  /// a b, exactly, but for underflow.
+  /// a b, exactly, except for underflow.
   static DoubleDouble product(double a, double b) {
     const double p = a * b;
     return {p, std::fma(a, b, -p)};

@@ -1,4 +1,4 @@
-/// Polygons as GEOS has them.
+/// Polygons in GEOS.
 #pragma once
 
 #include <geos_c.h>
@@ -14,7 +14,7 @@
 
 namespace vorpipe {
 
-/// GEOS as one thread uses it, and what it said last. Throws std::bad_alloc.
+/// A GEOS context for one thread, with its last error message. Throws std::bad_alloc.
 class Geos {
  public:
   Geos() : handle_(GEOS_init_r()) {
@@ -27,7 +27,8 @@ class Geos {
   ~Geos() { GEOS_finish_r(handle_); }
 
   [[nodiscard]] GEOSContextHandle_t handle() const { return handle_; }
-  /// Throws std::bad_alloc where that is what it said: nothing is wrong with what it was given.
+  /// Returns the last error message. Throws std::bad_alloc if that is the message: then the input is not at
+  /// fault.
   [[nodiscard]] const std::string& message() const {
     if (message_ == "std::bad_alloc") throw std::bad_alloc();
     return message_;
@@ -44,14 +45,14 @@ struct GeosDestroy {
   void operator()(char* text) const { GEOSFree_r(handle, text); }
 };
 
-/// None where GEOS refused.
+/// Null if GEOS refused.
 using GeosGeometry = std::unique_ptr<GEOSGeometry, GeosDestroy>;
 
 inline GeosGeometry owned(const Geos& geos, GEOSGeometry* geometry) {
   return {geometry, GeosDestroy{geos.handle()}};
 }
 
-/// Gives up what is owned, for a function of GEOS that takes it.
+/// Releases ownership, for a GEOS function that takes it.
 inline std::vector<GEOSGeometry*> released(std::span<GeosGeometry> geometries) {
   std::vector<GEOSGeometry*> taken;
   taken.reserve(geometries.size());
@@ -59,7 +60,7 @@ inline std::vector<GEOSGeometry*> released(std::span<GeosGeometry> geometries) {
   return taken;
 }
 
-/// A ring of at least one point, of which the first is not repeated at the end.
+/// Returns a ring of at least one point; the first is not repeated at the end of `points`.
 inline GeosGeometry geosRing(const Geos& geos, std::span<const Point> points) {
   std::vector<Point> closed(points.begin(), points.end());
   closed.push_back(closed.front());
@@ -68,7 +69,7 @@ inline GeosGeometry geosRing(const Geos& geos, std::span<const Point> points) {
   return owned(geos, sequence == nullptr ? nullptr : GEOSGeom_createLinearRing_r(geos.handle(), sequence));
 }
 
-/// A polygon of an outer ring and its holes; none if any of them is none.
+/// Returns a polygon with an outer ring and its holes; null if any ring is null.
 inline GeosGeometry geosPolygon(const Geos& geos, std::vector<GeosGeometry> rings) {
   for (const auto& ring : rings) {
     if (!ring) return owned(geos, nullptr);

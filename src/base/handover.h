@@ -1,4 +1,4 @@
-/// What the thread sanitizer (the preset tsan) is told about loops on several threads.
+/// Annotates loops on several threads for the thread sanitizer (the preset tsan).
 #pragma once
 
 #if defined(VORPIPE_TELLS_TSAN)
@@ -7,11 +7,12 @@
 
 namespace vorpipe {
 
-/// Lives as long as a loop, which goes from the thread that begins it to those that share it, and back.
-/// oneTBB hands it over in code that is not compiled for the sanitizer, which would take all that a loop
-/// reads and writes for races. It is told this much and no more: what was done before the loop precedes each
-/// range, and each range precedes what is done after the loop, or where it threw. Between two ranges there is
-/// no order, so that races between them are found. In builds without the sanitizer it does nothing.
+/// Lives as long as a loop, which passes from the thread that begins it to those that share it, and back.
+/// oneTBB passes it in code that is not compiled for the sanitizer. Without annotations the sanitizer would
+/// report everything that a loop reads and writes as races. It gets only this information: whatever precedes
+/// the loop precedes each range, and each range precedes whatever follows the loop, or where it threw. Ranges
+/// have no order among each other, so races between them are found. Does nothing in builds without the
+/// sanitizer.
 class Handover {
  public:
 #if defined(VORPIPE_TELLS_TSAN)
@@ -33,7 +34,7 @@ class Handover {
   };
 
  private:
-  char begun_ = 0, ended_ = 0;  ///< their addresses alone are used
+  char begun_ = 0, ended_ = 0;  ///< only their addresses are used
 #else
   struct Range {
     explicit Range(Handover& /*loop*/) {}

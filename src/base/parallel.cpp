@@ -11,8 +11,8 @@
 namespace vorpipe {
 namespace {
 
-/// The arena of `threads` threads that this thread begins loops in. It is kept: oneTBB 2021 does not give
-/// back all that an arena takes, some kilobytes of each, and long runs have millions of loops.
+/// Returns the arena of `threads` threads in which this thread begins loops. Arenas are kept: oneTBB 2021
+/// never frees some kilobytes of each, and long runs have millions of loops.
 tbb::task_arena& arenaOf(int threads) {
   thread_local std::map<int, tbb::task_arena> arenas;
   tbb::task_arena& arena = arenas.try_emplace(threads, threads).first->second;
@@ -20,7 +20,7 @@ tbb::task_arena& arenaOf(int threads) {
   try {
     arena.initialize();
   } catch (...) {
-    arenas.erase(threads);  // one that was refused memory waits for itself forever when it is used again
+    arenas.erase(threads);  // an arena that got no memory waits for itself forever when it is used again
     throw;
   }
   return arena;
@@ -45,7 +45,7 @@ void parallelFor(std::size_t count, std::size_t grain, int threads,
   using Control = tbb::global_control;
   constexpr auto most = Control::max_allowed_parallelism;
   const Control allowed(most, std::max(running, Control::active_value(most)));
-  // A loop within a loop is in the same arena, and takes nothing of the outer one while it waits.
+  // A nested loop uses the same arena and takes no work of the outer loop while it waits.
   arenaOf(static_cast<int>(running)).execute([&] {
     tbb::this_task_arena::isolate(
         [&] { tbb::parallel_for(std::size_t{0}, ranges, call, tbb::simple_partitioner()); });

@@ -8,7 +8,7 @@
 
 namespace vorpipe {
 
-/// Threads to use for a request of `threads`: itself, or all of the machine's for 0.
+/// Returns the number of threads for a request of `threads`: the same, or all of the machine's for 0.
 inline int threadCount(int threads) {
   return threads > 0 ? threads : std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
 }

@@ -1,4 +1,4 @@
-/// A long stage in steps, between which progress is reported.
+/// Runs a long stage in steps and reports progress between them.
 #pragma once
 
 #include <algorithm>
@@ -23,7 +23,7 @@ struct StageRange {
 };
 
 /// Calls work(begin, count) for ranges that cover [0, range.count), each of at most `most`: small at first,
-/// then as large as 0.2 s between two calls of progress allow. Results must not depend on the ranges.
+/// then as large as 0.2 s between two calls of progress permit. Results must not depend on the ranges.
 template <class Work>
 Result<void> runInSteps(const Progress& progress, const char* stage, const StageRange& range,
                         std::size_t most, const Work& work) {

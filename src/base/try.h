@@ -1,11 +1,11 @@
-/// Errors passed on.
+/// Error propagation.
 #pragma once
 
 #include <utility>
 
 #include "vorpipe.h"
 
-/// Returns from the function that this stands in with the error of a result, where it is one.
+/// Returns from the enclosing function with the error of a result, if it is one.
 #define VORPIPE_TRY(...)                                \
   if (auto tried = (__VA_ARGS__); !tried.has_value()) { \
     return tl::unexpected(std::move(tried).error());    \

@@ -1,4 +1,4 @@
-/// Another run of this program, in a process of its own.
+/// Runs this program again, in a separate process.
 #pragma once
 
 #include <string>
@@ -8,7 +8,7 @@
 
 namespace vorpipe::bench {
 
-/// A folder for the time that this lives.
+/// A temporary folder that exists as long as this object.
 class TemporaryFolder {
  public:
   TemporaryFolder();
@@ -23,8 +23,8 @@ class TemporaryFolder {
 };
 
 /// Runs `program` with arguments, its standard error in the file `errors`, and waits for it. Errors: it
-/// refused what it was asked for, with exit code 2 (input), could not be started or failed (device), in the
-/// words of its last line; `go_on` said no, and it was ended (cancelled).
+/// refused its arguments with exit code 2 (input), could not be started or failed (device), in the words of
+/// its last line; `go_on` returned false, and it was ended (cancelled).
 Result<void> runChild(const std::string& program, const std::vector<std::string>& arguments,
                       const std::string& errors, const std::function<bool()>& go_on);
 

@@ -1,4 +1,4 @@
-/// Under which conditions was measured: the head of a report of `vorpipe bench`.
+/// The conditions of a measurement: the head of a report of `vorpipe bench`.
 #pragma once
 
 #include <span>
@@ -13,7 +13,7 @@ namespace vorpipe::bench {
 
 inline constexpr int usual_repetitions = 7;
 
-/// A backend by the name that was asked for, and what it runs on.
+/// A backend under its requested name, and the device that it runs on.
 struct OpenedDevice {
   std::string name;
   DeviceInfo device;
@@ -26,10 +26,10 @@ struct Conditions {
   const Settings& settings;
 };
 
-/// A heading and a list.
+/// Returns a heading and a list.
 std::string markdown(const Conditions& conditions);
 
-/// A whole report, an object with a line's end.
+/// Returns a whole report: an object and a line end.
 std::string reportJson(const Conditions& conditions, std::span<const Table> tables);
 
 }  // namespace vorpipe::bench

@@ -10,9 +10,8 @@ namespace {
 
 constexpr const char* variable = "LP_NUM_THREADS";
 
-/// The driver gives each of its threads an equal part of a dispatch, and waits for the last. Where all
-/// processors are asked for, two threads for each let the system put more of them on those that have nothing
-/// else to do.
+/// The driver gives each of its threads an equal part of a dispatch, and waits for the last. If all
+/// processors are requested, two threads for each let the system put more of them on idle processors.
 int threadsFor(int processors) {
   const int wanted = threadCount(processors);
   return wanted == 1 || wanted < threadCount(0) ? wanted : 2 * wanted;

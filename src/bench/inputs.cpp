@@ -8,7 +8,7 @@
 namespace vorpipe::bench {
 namespace {
 
-/// Of one backend: what a site costs, to what one of the first input does.
+/// Adds the rows of one backend: the cost of a site relative to one of the first input.
 void addRows(const std::vector<const Outcome*>& outcomes, Table& table) {
   const Outcome& first = *outcomes.front();
   for (const Outcome* outcome : outcomes) {

@@ -22,8 +22,8 @@ namespace {
 
 constexpr std::uint64_t seed = 1;
 
-/// A run of fewer seconds is made twice, and the second is measured: the first fills the caches again that
-/// the job before it used.
+/// A run of fewer seconds is made twice, and only the second is measured: the first refills the caches after
+/// the previous job.
 constexpr double short_run = 0.02;
 
 std::string keyOf(const Job& job) {

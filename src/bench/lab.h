@@ -20,7 +20,7 @@ struct DataSet {
   Box domain;
 };
 
-/// One run: which backend, on what, to what end.
+/// One run: its backend, its sites and its output.
 struct Job {
   std::string backend;
   std::string sites;  ///< PATTERN:N, or the name of a data set
@@ -32,18 +32,18 @@ struct Job {
 
 struct Settings {
   std::vector<std::string> backends;  ///< names
-  BackendOptions options;             ///< for all of them, but for the name
+  BackendOptions options;             ///< for all of them, except the name
   int repetitions = 7;
   std::uint64_t max_sites = 0;
   int max_side = 0;  ///< of pictures
   std::vector<DataSet> files;
-  /// Why a job with this number of sites is not to be tried: it would not fit; empty otherwise.
+  /// Returns why a job with this number of sites should not be tried: it would not fit. Empty otherwise.
   std::function<std::string(const Job&, std::uint64_t sites)> refusal;
   std::string program;  ///< of child processes
   Progress progress;    ///< may be empty
 };
 
-/// What became of a job.
+/// The result of a job.
 struct Outcome {
   Job job;
   std::string failed{};                                 ///< why there are no figures
@@ -59,10 +59,10 @@ struct Outcome {
   [[nodiscard]] const Samples& stage(Stage stage) const { return stages[static_cast<std::size_t>(stage)]; }
 };
 
-/// The median of the runs' sums of some stages; in the order of the samples.
+/// Returns each run's sum of some stages, in the order of the samples.
 Samples sumOf(const Outcome& outcome, std::initializer_list<Stage> stages);
 
-/// A cell of a table: the samples, or why there are none.
+/// Returns a cell of a table: the samples, or why there are none.
 Cell figure(const Outcome& outcome, Samples samples);
 
 class Lab {
@@ -74,18 +74,18 @@ class Lab {
 
   [[nodiscard]] const Settings& settings() const { return settings_; }
 
-  /// Notes a job down; the same job is measured once. The outcome stays where it is.
+  /// Records a job; the same job is measured once. The reference to the outcome stays valid.
   const Outcome& plan(const Job& job);
 
-  /// Measures all jobs that were planned and not measured, interleaved; `what` is for the progress. What
-  /// they needed, sites and sessions, is let go. Error (cancelled): the progress said so.
+  /// Measures all jobs that were planned but not measured, interleaved; `what` is for the progress. Then
+  /// releases their sites and sessions. Error (cancelled): progress requested it.
   Result<void> measure(const std::string& what);
 
-  /// Notes down that something was tried and failed; jobs do so by themselves.
+  /// Records that something was tried and failed; jobs do so themselves.
   void noteFailure(const std::string& what) { failures_.push_back(what); }
   [[nodiscard]] const std::vector<std::string>& failures() const { return failures_; }
 
-  /// The threads of a run whose job does not name their number.
+  /// Returns the threads of a run whose job does not specify their number.
   [[nodiscard]] int threads() const;
 
  private:
@@ -95,7 +95,7 @@ class Lab {
   Result<void> run(Outcome& outcome, bool counts);
 
   Settings settings_;
-  std::map<std::string, std::unique_ptr<Outcome>> outcomes_;  ///< by what tells jobs apart
+  std::map<std::string, std::unique_ptr<Outcome>> outcomes_;  ///< by the properties that distinguish jobs
   std::map<std::string, std::unique_ptr<DataSet>> sites_;
   std::map<std::string, std::unique_ptr<Opened>> opened_;
   std::vector<std::string> failures_;

@@ -18,7 +18,7 @@
 namespace vorpipe::bench {
 namespace {
 
-/// Linux's list of processors names the model; elsewhere the architecture has to do.
+/// Linux's list of processors names the model; elsewhere the architecture is used instead.
 std::string cpuModel() {
   std::ifstream list("/proc/cpuinfo");
   for (std::string line; std::getline(list, line);) {

@@ -1,4 +1,4 @@
-/// What was measured on, and what was measured: for the head of a report.
+/// The machine and the program of a measurement: for the head of a report.
 #pragma once
 
 #include <cstdint>
@@ -19,7 +19,7 @@ struct Machine {
   std::string time;               ///< now, UTC
 };
 
-/// This machine, now.
+/// Describes this machine, now.
 Machine thisMachine();
 
 /// Lines of Markdown that begin with "- ".

@@ -47,7 +47,7 @@ std::string cellText(const Cell& cell) {
       cell);
 }
 
-/// A bar would end the place, and a line's end the row.
+/// Escapes bars, which would end the cell, and line ends, which would end the row.
 std::string escaped(std::string_view text) {
   std::string safe;
   for (const char c : text) {
@@ -83,7 +83,7 @@ Result<void> runRound(std::span<Course> courses, bool counts, Generator& generat
                       const std::function<Result<void>(const Course&)>& go_on) {
   std::vector<std::size_t> order(courses.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
-  // Not std::shuffle, whose order is each library's own.
+  // Not std::shuffle, whose order differs between libraries.
   for (std::size_t left = order.size(); left > 1; --left)
     std::swap(order[left - 1], order[generator() % left]);
   for (const auto index : order) {

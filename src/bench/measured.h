@@ -1,5 +1,5 @@
-/// Measurements and how they are told: repeated runs, their medians and spread, tables in Markdown and in
-/// JSON. `vorpipe bench` and the programs of tests/bench use the same.
+/// Measurements and their output: repeated runs, their medians and spread, tables in Markdown and in JSON.
+/// `vorpipe bench` and the programs of tests/bench use the same.
 #pragma once
 
 #include <cstdint>
@@ -14,21 +14,21 @@
 
 namespace vorpipe::bench {
 
-/// One quantity, measured again and again, in the order of the measurements.
+/// One quantity, measured repeatedly; in the order of the measurements.
 using Samples = std::vector<double>;
 
-/// Of at least one sample; the mean of the middle two of an even number.
+/// Returns the median of at least one sample; for an even number, the mean of the middle two.
 double median(Samples samples);
 double least(const Samples& samples);
 /// The median absolute deviation from the median: half of the samples lie at most that far from it.
 double spread(const Samples& samples);
 
-/// There is no figure, and why; nothing to say where a figure makes no sense.
+/// Marks a missing figure and says why; nothing to say where a figure makes no sense.
 struct Missing {
   std::string why;
 };
 
-/// What one place of a table holds: words, a whole number, a number, a measured quantity, or nothing.
+/// The contents of one cell of a table: words, a whole number, a number, a measured quantity, or nothing.
 using Cell = std::variant<std::string, std::uint64_t, double, Samples, Missing>;
 
 struct Column {
@@ -55,16 +55,16 @@ std::string markdown(const Table& table);
 /// is {"median", "least", "spread", "samples"}; what is missing is null, and the row's "missing" says why.
 nlohmann::ordered_json json(const Table& table);
 
-/// Something to measure. `run` does it once; `counts` says whether to keep the figures or only to warm up.
+/// Something to measure. `run` does it once; `counts`: whether to keep the figures or only to warm up.
 struct Course {
   std::string name;                              ///< for the progress
-  std::function<Result<void>(bool counts)> run;  ///< an error ends this course alone, but for `cancelled`
+  std::function<Result<void>(bool counts)> run;  ///< an error ends only this course, except `cancelled`
   std::string failed{};                          ///< out: its error
 };
 
-/// Runs every course once to warm up, then `repetitions` rounds of all of them, each round in an order of its
-/// own, the same in every program: what else the machine does then falls on all alike. A course that fails is
-/// not run again. Error (cancelled): progress or a course said so.
+/// Runs every course once to warm up, then `repetitions` rounds of all of them, each in its own order, the
+/// same in every program. Other activity of the machine thus affects all courses alike. A course that fails
+/// is not run again. Error (cancelled): progress or a course requested it.
 Result<void> interleave(std::span<Course> courses, int repetitions, const Progress& progress);
 
 }  // namespace vorpipe::bench

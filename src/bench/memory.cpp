@@ -31,7 +31,7 @@ std::vector<std::string> optionsOf(const Settings& settings, const std::string& 
   return words;
 }
 
-/// The peak of a run in bytes, as its --stats tell.
+/// The peak of a run in bytes, as its --stats report.
 Result<std::uint64_t> peakOf(const Lab& lab, const Kind& kind, const std::string& backend,
                              std::uint64_t sites, const std::string& folder,
                              const std::function<bool()>& go_on) {
@@ -57,7 +57,7 @@ std::vector<Kind> kindsIn(const std::string& folder) {
           {"picture 500 x 500", "render", {"-o", folder + "/picture.png", "--size", "500x500"}}};
 }
 
-/// Runs one kind on one backend with more and more sites.
+/// Runs one kind on one backend with increasing numbers of sites.
 Result<void> addRows(Lab& lab, const Kind& kind, const std::string& backend,
                      const std::vector<std::uint64_t>& sizes, const std::string& folder,
                      const std::function<bool()>& go_on, Table& table, Curve& curve) {
@@ -107,7 +107,7 @@ Result<Findings> memory(Lab& lab) {
     table.notes = {"Not measured: no temporary folder can be made here."};
     return Findings{{std::move(table)}, {}};
   }
-  // What is written to it is counted, and goes nowhere.
+  // Output to it is counted and discarded.
   std::error_code ignored;
   std::filesystem::create_symlink("/dev/null", folder.path() + "/cells.npz", ignored);
   const auto kinds = kindsIn(folder.path());

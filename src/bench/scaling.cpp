@@ -12,7 +12,7 @@ namespace {
 
 constexpr std::uint64_t million = 1'000'000;
 
-/// What one backend takes along an axis: sites, threads or pixels.
+/// The times of one backend along an axis: sites, threads or pixels.
 struct Line {
   std::string backend;
   std::vector<std::pair<double, const Outcome*>> points;
@@ -26,7 +26,7 @@ struct Line {
     return result;
   }
 
-  /// The least time for one of x, over what was measured.
+  /// Returns the least time per unit of x, over all measurements.
   [[nodiscard]] double leastCost(Samples Outcome::*of = &Outcome::seconds) const {
     double cost = std::numeric_limits<double>::infinity();
     for (const auto& [x, y] : medians(of)) cost = std::min(cost, y / x);

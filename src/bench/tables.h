@@ -14,17 +14,17 @@ struct Findings {
   std::vector<Plot> plots;
 };
 
-/// Measures what a table needs, and tells it. Error (cancelled): the progress said so. Whatever else fails is
-/// told in the table.
+/// Measures what a table needs, and reports it. Error (cancelled): progress requested it. The table reports
+/// any other failure.
 using Bench = Result<Findings> (*)(Lab&);
 
 /// The times of the thesis that this program follows (Templeton 2022), tables 3.2 to 3.5, measured here.
 Result<Findings> thesis(Lab& lab);
-/// Where the time of one run goes, and what moves.
+/// Where one run spends its time, and how much data moves.
 Result<Findings> stages(Lab& lab);
 /// Time against sites, threads and pixels.
 Result<Findings> scaling(Lab& lab);
-/// Sites spread in other ways.
+/// Other distributions of sites.
 Result<Findings> inputs(Lab& lab);
 /// The peak of memory, in a process of its own for each run.
 Result<Findings> memory(Lab& lab);
@@ -39,7 +39,7 @@ std::vector<int> sidesUpTo(std::vector<int> sides, int most);
 /// different x.
 double exponentOf(const std::vector<std::pair<double, double>>& points);
 
-/// What is noted below a table that --max-sites has cut short; nothing otherwise.
+/// Returns the note below a table that --max-sites has shortened; nothing otherwise.
 std::vector<std::string> noteOfLimit(const Lab& lab, std::uint64_t wanted);
 /// The same for --max-side.
 std::vector<std::string> noteOfSide(const Lab& lab);

@@ -16,7 +16,7 @@ constexpr int usual_side = 500;
 constexpr SearchOptions lists{Search::flann, 30};
 
 /// Table 3.2: white noise, an Intel Iris Plus, neighbors on 8 threads, in seconds. Tables 3.3 to 3.5 are
-/// pictures, whose figures its text does not have.
+/// pictures, whose figures are not in its text.
 struct TheirRow {
   std::uint64_t sites;
   double device, neighbors;

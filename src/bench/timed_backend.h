@@ -1,4 +1,4 @@
-/// A backend that says how long each call of another one took.
+/// A backend that measures how long each call of another one takes.
 #pragma once
 
 #include <array>
@@ -9,7 +9,7 @@
 
 namespace vorpipe::bench {
 
-/// What a run consists of. `order` and `search` are core's own, and so is `rest`; the others are calls of a
+/// The parts of a run. `order` and `search` are core's own, and so is `rest`; the others are calls of a
 /// backend, and `resolve` is all calls of the exact tier.
 enum class Stage : std::uint8_t { order, search, upload, clip, draw, download, resolve, rest };
 inline constexpr std::size_t stage_count = 8;
@@ -25,7 +25,7 @@ struct StageWork {
 
 using Work = std::array<StageWork, stage_count>;
 
-/// Passes every call on.
+/// Forwards every call.
 class TimedBackend final : public ForwardingBackend {
  public:
   using ForwardingBackend::ForwardingBackend;
@@ -42,7 +42,7 @@ class TimedBackend final : public ForwardingBackend {
                              std::span<const std::uint32_t> corner_of) override;
   Result<void> read(std::span<std::uint32_t> rgba, std::span<std::uint32_t> ids) override;
 
-  /// What was done so far, by stage.
+  /// Returns the work so far, by stage.
   [[nodiscard]] const Work& work() const { return work_; }
 
  private:
@@ -53,7 +53,7 @@ class TimedBackend final : public ForwardingBackend {
   Work work_{};
 };
 
-/// Passes every call on to the exact tier, and says how long all of them took.
+/// Forwards every call to the exact tier, and measures how long all of them take.
 class TimedExactTier final : public ExactTier {
  public:
   explicit TimedExactTier(ExactTier& timed) : timed_(timed) {}

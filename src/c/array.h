@@ -1,4 +1,4 @@
-/// Arrays and reports of a run, as vorpipe_c.h shows them: nothing is copied.
+/// Arrays and reports of a run in the form of vorpipe_c.h, without copies.
 #pragma once
 
 #include <cstddef>
@@ -10,26 +10,26 @@
 
 namespace vorpipe::c {
 
-/// In bytes; 0 for what is no type.
+/// Size in bytes; 0 for an invalid type.
 std::size_t sizeOf(vorpipe_type type);
 
-/// An array whose elements are one or several numbers of a type.
+/// Makes an array whose elements are one or several numbers of a type.
 template <class Element>
 vorpipe_array array(const std::vector<Element>& elements, vorpipe_type type) {
   const void* data = elements.empty() ? nullptr : elements.data();
   return {data, elements.size(), type, static_cast<std::int32_t>(sizeof(Element) / sizeOf(type))};
 }
 
-/// Error (input): there is no such field.
+/// Returns the error (input) that there is no such field.
 tl::unexpected<Error> noField(std::int32_t field);
 
-/// Gives the caller an array.
+/// Stores an array for the caller.
 vorpipe_code give(const Result<vorpipe_array>& array, vorpipe_array* to);
 
-/// Its strings are the report's.
+/// Converts a report; the strings remain the report's.
 vorpipe_report reportOf(const Report& report);
 
-/// NULL past the end.
+/// Returns NULL past the end.
 const char* textAt(const std::vector<std::string>& texts, std::size_t index);
 
 }  // namespace vorpipe::c

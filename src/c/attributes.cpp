@@ -1,4 +1,4 @@
-/// What is known of sites besides their places and weights.
+/// Attributes of sites besides their places and weights.
 #include <fmt/core.h>
 
 #include <array>
@@ -23,12 +23,13 @@ vorpipe_attribute_type numberOf(AttributeType type) {
   return static_cast<vorpipe_attribute_type>(type) + VORPIPE_INTEGER;
 }
 
-/// The attribute of an index; null where there is none.
+/// Returns the attribute of an index; null if there is none.
 const Attribute* attributeAt(const vorpipe_input* input, std::size_t index) {
   return input == nullptr || index >= input->attributes->size() ? nullptr : &(*input->attributes)[index];
 }
 
-/// An attribute with the caller's values. Errors (input): those of checkAttribute, there is no such type.
+/// Makes an attribute with the caller's values. Errors (input): those of checkAttribute; there is no such
+/// type.
 Result<Attribute> attributeOf(const char* name, vorpipe_attribute_type type, const vorpipe_text* values,
                               std::uint64_t count) {
   constexpr std::array types{AttributeType::text,    AttributeType::integer, AttributeType::real,

@@ -1,4 +1,4 @@
-/// What is promised about results, and how two of them differ.
+/// Checks promises about results, and compares two results.
 #include <fmt/core.h>
 
 #include <algorithm>
@@ -11,7 +11,7 @@
 namespace vorpipe::c {
 namespace {
 
-/// Sends each promise that is broken to the caller, in a line of its own.
+/// Sends each broken promise to the caller, in a line of its own.
 vorpipe_code tellBroken(const Result<std::vector<std::string>>& broken, vorpipe_write write, void* user) {
   if (!broken) return fail(broken.error());
   if (broken->empty()) return VORPIPE_DONE;
@@ -22,7 +22,7 @@ vorpipe_code tellBroken(const Result<std::vector<std::string>>& broken, vorpipe_
   return fail(VORPIPE_DIFFERENT, broken->front());
 }
 
-/// Promises of cells that are broken, in the plane where they were made.
+/// Returns broken promises of cells, checked in the plane where they were made.
 Result<std::vector<std::string>> checkCells(const vorpipe_diagram& given, int threads) {
   const Sites& sites = *given.input->sites;
   if (!given.plane) return check(sites, given.options, given.diagram, threads);
@@ -33,7 +33,7 @@ Result<std::vector<std::string>> checkCells(const vorpipe_diagram& given, int th
   return check(sites, given.options, diagram, threads);
 }
 
-/// What compare functions return, with the figures for the caller.
+/// Returns the result of a compare function, and stores the figures for the caller.
 template <class Difference>
 vorpipe_code tellDifference(bool agree, const std::string& message, const Difference& figures, Difference* to,
                             std::string_view name) {

@@ -43,7 +43,7 @@ vorpipe_device_info infoOf(const DeviceInfo& device) {
   return info;
 }
 
-/// The value of a name in a list of pairs, or the end.
+/// Finds a name in a list of pairs; the end if it is missing.
 template <class Pairs>
 auto findNamed(const Pairs& pairs, const char* name) {
   return std::ranges::find_if(pairs, [&](const auto& pair) { return pair.first == name; });

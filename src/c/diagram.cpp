@@ -102,7 +102,7 @@ vorpipe_code find(vorpipe_session& session, const vorpipe_input& input, const vo
   return VORPIPE_DONE;
 }
 
-/// The topology of cells in degrees. They share positions in the plane.
+/// Returns the topology of cells in degrees. Shared positions are determined in the plane.
 Result<Topology> topologyByPlane(const vorpipe_diagram& diagram) {
   const Diagram& shown = diagram.diagram;
   Diagram plane;

@@ -1,4 +1,4 @@
-/// The domain of an input, and the plane that it is in.
+/// The domain of an input, and its plane.
 #include <fmt/core.h>
 
 #include <algorithm>
@@ -19,7 +19,8 @@
 namespace vorpipe::c {
 namespace {
 
-/// A table of `count` parts of `whole` things: begins with 0, ascends, ends with their number.
+/// Copies an offset table of `count` parts of `whole` things: it begins with 0, ascends, and ends with their
+/// number.
 Result<std::vector<std::uint64_t>> offsetsOf(const std::uint64_t* offsets, std::uint64_t count,
                                              std::uint64_t whole, std::string_view name) {
   if (offsets == nullptr) return inputError(fmt::format("{}: is NULL", name));
@@ -46,8 +47,8 @@ Result<Outline> outlineOf(const vorpipe_outline& given) {
   return outline;
 }
 
-/// A pattern fills the box that is set, and else the unit square. Errors (input): it is so another number of
-/// sites, and has weights.
+/// Spreads a pattern over the box that is set, else over the unit square. Errors (input): the number of sites
+/// changes, but there are weights.
 Result<void> fillBox(vorpipe_input& input, const std::optional<Box>& box) {
   if (!input.generator) return {};
   Sites sites = sitesOf(*input.generator, box);
@@ -61,8 +62,7 @@ Result<void> fillBox(vorpipe_input& input, const std::optional<Box>& box) {
   return {};
 }
 
-/// Takes what cells are clipped to, instead of what was set before; the margin stays, and how it is
-/// projected.
+/// Replaces the clipping domain; the margin and the projection setting stay.
 vorpipe_code setDomain(vorpipe_input& input, DomainSettings domain, Periodic periodic = Periodic::none) {
   if (input.domain.box || domain.box) {
     if (auto filled = fillBox(input, domain.box); !filled) return fail(filled.error());

@@ -1,4 +1,4 @@
-/// Pictures as shapes.
+/// Pictures as shapes (vector graphics).
 #include <fmt/core.h>
 
 #include <string>
@@ -17,7 +17,7 @@
 namespace vorpipe::c {
 namespace {
 
-/// The format of shapes that a path names. Error (input): it names none.
+/// Returns the format of shapes that a path names. Error (input): it names none.
 Result<const PictureFormat*> shapesFormatOf(const std::string& path) {
   const auto format = pictureFormatOf(path);
   if (format && !(*format)->of_shapes) {

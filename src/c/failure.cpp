@@ -9,10 +9,10 @@
 namespace vorpipe::c {
 namespace {
 
-/// Nothing of it is on the heap or has to be destroyed: to register a destructor for a thread takes memory,
-/// and the C library ends the program where there is none.
+/// No part is on the heap or needs a destructor: registering a thread's destructor takes memory, and without
+/// memory the C library ends the program.
 struct LastError {
-  std::array<char, 8192> message{};  ///< ends with a zero; what is longer ends with "..."
+  std::array<char, 8192> message{};  ///< zero-terminated; a longer message ends with "..."
   vorpipe_subject subject = VORPIPE_SUBJECT_NONE;
 };
 

@@ -10,14 +10,14 @@
 
 namespace vorpipe::c {
 
-/// Keeps what vorpipe_last_error() and vorpipe_last_subject() return; returns the code. Takes no memory.
+/// Stores what vorpipe_last_error() and vorpipe_last_subject() return; returns the code. Allocates no memory.
 vorpipe_code fail(vorpipe_code code, std::string_view message, Subject subject = Subject::none) noexcept;
 vorpipe_code fail(const Error& error);
 
-/// VORPIPE_DEVICE: there is no memory, not even for a message.
+/// Fails with VORPIPE_DEVICE: there is no memory, not even for a message.
 vorpipe_code outOfMemory() noexcept;
 
-/// Runs what may throw. No exception leaves the library.
+/// Runs a function that may throw. No exception leaves the library.
 template <class Body>
 vorpipe_code guarded(const Body& body) noexcept {
   try {
@@ -33,10 +33,10 @@ vorpipe_code guarded(const Body& body) noexcept {
   }
 }
 
-/// VORPIPE_INPUT: a pointer that must lead somewhere is NULL.
+/// Fails with VORPIPE_INPUT: a required pointer is NULL.
 vorpipe_code missing(std::string_view argument) noexcept;
 
-/// The code of something that was done, or why it was not.
+/// Returns the code of a finished action, or fails with its error.
 inline vorpipe_code codeOf(const Result<void>& done) { return done ? VORPIPE_DONE : fail(done.error()); }
 
 }  // namespace vorpipe::c

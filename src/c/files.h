@@ -1,4 +1,4 @@
-/// Where results go: to the caller, or to a path.
+/// Destinations of results: the caller, or a path.
 #pragma once
 
 #include <string>
@@ -12,7 +12,7 @@
 
 namespace vorpipe::c {
 
-/// Hands bytes to a function of the caller's, `name` standing for the file.
+/// Passes bytes to the caller's function; `name` stands for the file.
 inline CallbackSink sinkOf(std::string name, vorpipe_write write, void* user) {
   return {std::move(name),
           [write, user](std::string_view bytes) { return write(user, bytes.data(), bytes.size()) == 0; }};

@@ -87,7 +87,7 @@ Result<vorpipe_array> arrayOf(const vorpipe_fluid& fluid, vorpipe_fluid_field fi
   }
 }
 
-/// Lets a fluid go on until then.
+/// Continues a fluid until that time.
 Result<void> goOn(vorpipe_fluid& fluid, double until) {
   const SessionUse use(*fluid.session);
   VORPIPE_TRY(use.begun());
@@ -100,7 +100,7 @@ Result<bool> step(vorpipe_fluid& fluid) {
   return fluid.fluid.step();
 }
 
-/// Between steps, when the caller watches, the session is free.
+/// Between steps, when the caller's watcher runs, the session is free.
 Result<void> run(vorpipe_fluid& run, const vorpipe_fluid_run_options* given) {
   const Fluid& fluid = run.fluid;
   const auto wanted = taken(given, "vorpipe_fluid_run_options");

@@ -20,7 +20,7 @@ namespace {
 
 constexpr std::uint64_t usual_parcels = 2048;
 
-/// Replaces what is not zero.
+/// Replaces options that are not zero in `wanted`.
 Result<void> takeOptions(const vorpipe_fluid_options& wanted, FluidOptions& options) {
   const std::array schemes{options.scheme, FluidScheme::springs, FluidScheme::projection};
   const auto scheme = chosen(schemes, wanted.scheme, "scheme");

@@ -1,4 +1,4 @@
-/// What a fluid begins with, from what a program gave.
+/// The initial fluid, from a program's options.
 #pragma once
 
 #include "c/handles.h"
@@ -8,17 +8,17 @@
 
 namespace vorpipe::c {
 
-/// Of an input, which `placed` is of. Errors (input): an outline, a projection or a density; arrays that are
-/// not of its sites; a number that names nothing.
+/// Sets up a fluid from an input and `placed`, its placed form. Errors (input): an outline, a projection or a
+/// density; arrays that do not match its sites; a number that names nothing.
 Result<FluidSetup> fluidSetup(const vorpipe_input& input, const PlacedInput& placed,
                               const vorpipe_fluid_options& wanted);
 
-/// Of a case or a file, with about `parcels` cells. Errors (input): there is no such case; those of
-/// readFluid; arrays, which it has itself.
+/// Sets up a fluid from a case or a file, with about `parcels` cells. Errors (input): there is no such case;
+/// those of readFluid; arrays, which it has itself.
 Result<FluidSetup> fluidSetup(const std::string& name, std::uint64_t parcels,
                               const vorpipe_fluid_options& wanted);
 
-/// The result of a step, as in vorpipe_c.h.
+/// Converts the result of a step to the form of vorpipe_c.h.
 vorpipe_fluid_figures figuresOf(const FluidStep& step);
 
 }  // namespace vorpipe::c

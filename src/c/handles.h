@@ -1,4 +1,4 @@
-/// What is behind the opaque types of vorpipe_c.h.
+/// Definitions of the opaque types of vorpipe_c.h.
 #pragma once
 
 #include <array>
@@ -26,24 +26,24 @@ struct vorpipe_devices {
 struct vorpipe_session {
   vorpipe::Session session;
   int threads;
-  std::atomic<bool> is_busy{false};  ///< with a run, for which c/session_use.h sees to it
+  std::atomic<bool> is_busy{false};  ///< during a run; c/session_use.h sets it
 };
 
 namespace vorpipe::c {
 
-/// An input as runs take it: sites and domain, in a plane if they are to be projected.
+/// An input in the form that runs need: sites and domain, in a plane if they are to be projected.
 struct PlacedInput {
-  PlacedSites domain;                  ///< without the sites, and where they are in degrees
+  PlacedSites domain;                  ///< without the sites, and their places in degrees
   std::shared_ptr<const Sites> sites;  ///< of the run
-  std::shared_ptr<const Sites> given;  ///< as the diagram has them: in degrees, if they are projected
+  std::shared_ptr<const Sites> given;  ///< as in the diagram: in degrees, if they are projected
 };
 
-/// The positions of a diagram before they were taken to degrees.
+/// The positions of a diagram before conversion to degrees.
 struct PlanePositions {
   std::vector<Point> vertices, centroid, mass_centroid;
 };
 
-/// The lines around the cells of a free surface.
+/// The border lines of the cells of a free surface.
 struct Borders {
   std::vector<std::uint64_t> offsets;
   std::vector<std::array<double, 5>> parts;  ///< from, to, angle
@@ -59,20 +59,20 @@ struct vorpipe_input {
   vorpipe::CoordinateSystem system{};
   std::string name;  ///< for messages about the sites
   vorpipe::SitesFrom from = vorpipe::SitesFrom::caller;
-  std::optional<vorpipe::Generator> generator{};  ///< of sites that fill the box that is set
+  std::optional<vorpipe::Generator> generator{};  ///< of sites that fill a box that is set
   std::uint64_t skipped = 0;
   vorpipe::DomainSettings domain{};
   vorpipe::Periodic periodic = vorpipe::Periodic::none;
   vorpipe::Surface surface = vorpipe::Surface::none;
   vorpipe::Density density{};
-  std::string density_name{};                  ///< of its file; empty: the caller's own
+  std::string density_name{};                  ///< name of its file; empty: the caller's own density
   vorpipe::CoordinateSystem density_system{};  ///< of its place
-  /// Of sites that have moved: the domain as it was found before, until another one is set.
+  /// For moved sites: the domain found before, until another one is set.
   std::shared_ptr<const vorpipe::c::PlacedInput> kept;
   mutable std::shared_ptr<const vorpipe::c::PlacedInput> placed;  ///< found when it is first needed
-  /// The placed input that the density was looked at beside; none: not yet.
+  /// The placed input that the density was last checked with; none: not yet checked.
   mutable std::shared_ptr<const vorpipe::c::PlacedInput> density_looked_at;
-  mutable std::deque<std::string> notes;  ///< what is in it stays where it is
+  mutable std::deque<std::string> notes;  ///< its elements never move
 };
 
 struct vorpipe_diagram {
@@ -83,24 +83,23 @@ struct vorpipe_diagram {
   std::optional<vorpipe::c::PlanePositions> plane;  ///< of sites that are projected
   bool has_air;                                     ///< whether discs have cut the cells
   mutable std::once_flag topology_once;
-  mutable std::optional<vorpipe::Result<vorpipe::Topology>> topology;  ///< found when first asked for
+  mutable std::optional<vorpipe::Result<vorpipe::Topology>> topology;  ///< found on first request
   mutable std::once_flag borders_once;
   mutable vorpipe::c::Borders borders;  ///< likewise
 };
 
 struct vorpipe_locator {
   vorpipe::Locator locator;
-  std::shared_ptr<const vorpipe::Sites>
-      discs;  ///< beyond which there is air; none where cells fill the domain
+  std::shared_ptr<const vorpipe::Sites> discs;    ///< beyond these is air; none if cells fill the domain
   std::optional<vorpipe::Projection> projection;  ///< of places in degrees
 };
 
 struct vorpipe_relaxation {
   vorpipe_session* session;
   std::shared_ptr<const vorpipe::c::PlacedInput> placed;  ///< as the sites were given
-  vorpipe_input input;                                    ///< what else was
+  vorpipe_input input;                                    ///< everything else that was given
   vorpipe::Relaxation relaxation;
-  mutable std::vector<vorpipe::Point> shown{};  ///< the sites, when they were last asked for
+  mutable std::vector<vorpipe::Point> shown{};  ///< the sites, as of the last request
   mutable std::vector<std::array<double, 5>> trace{};
   mutable std::vector<std::uint8_t> taken{};
 };
@@ -110,7 +109,7 @@ struct vorpipe_transported {
   vorpipe_input input;
   vorpipe::Surface surface;
   vorpipe::Transported found;
-  std::vector<vorpipe::Point> centroids{};  ///< as the caller has places
+  std::vector<vorpipe::Point> centroids{};  ///< in the caller's coordinates
   std::vector<std::array<double, 9>> trace{};
 };
 
@@ -119,11 +118,11 @@ struct vorpipe_fluid {
   std::shared_ptr<const vorpipe::c::PlacedInput> placed;
   vorpipe_input input;
   vorpipe::Fluid fluid;
-  mutable std::vector<vorpipe::Point> places{};  ///< of the sites, when they were last asked for
+  mutable std::vector<vorpipe::Point> places{};  ///< of the sites, as of the last request
 };
 
 struct vorpipe_picture {
-  std::shared_ptr<const vorpipe::c::PlacedInput> input;  ///< none where it was read
+  std::shared_ptr<const vorpipe::c::PlacedInput> input;  ///< none if it was read from a file
   vorpipe::RenderOptions options;                        ///< of the run; without progress
   vorpipe::Rendering rendering;
   bool has_air = false;  ///< whether discs have cut the cells

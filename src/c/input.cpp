@@ -27,7 +27,7 @@ std::vector<double> copied(const double* numbers, std::uint64_t count, std::size
   return copy;
 }
 
-/// What has sites of the caller's.
+/// Makes an input with the caller's sites.
 Result<vorpipe_input> inputOf(Sites sites) {
   vorpipe_input input;
   input.sites = std::make_shared<const Sites>(std::move(sites));
@@ -36,7 +36,7 @@ Result<vorpipe_input> inputOf(Sites sites) {
   return input;
 }
 
-/// What has sites of a file or a generator.
+/// Makes an input with sites of a file or a generator.
 Result<vorpipe_input> inputOf(const std::string& spec, std::uint64_t seed, const ReadOptions& options) {
   auto source = loadSites(spec, seed, options);
   if (!source) return tl::unexpected(std::move(source.error()));
@@ -70,7 +70,7 @@ Result<ReadOptions> readOptions(const vorpipe_read_options& given) {
   return options;
 }
 
-/// Gives the caller an object.
+/// Stores the new object for the caller.
 vorpipe_code giveInput(Result<vorpipe_input> made, vorpipe_input** input) {
   if (!made) return fail(made.error());
   *input = new vorpipe_input(std::move(*made));
@@ -86,7 +86,7 @@ vorpipe_code setWeights(vorpipe_input& input, Result<std::vector<double>> weight
   return VORPIPE_DONE;
 }
 
-/// A density instead of the one before; `name` is that of its file.
+/// Replaces the density; `name` is that of its file.
 void takeDensity(vorpipe_input& input, DensityFile density, std::string name) {
   input.density = std::move(density.density);
   input.density_system = std::move(density.system);

@@ -1,4 +1,4 @@
-/// Which cell holds a place.
+/// Finds the cell that contains a place.
 #include <algorithm>
 #include <span>
 #include <utility>

@@ -1,4 +1,4 @@
-/// How much memory runs take.
+/// Memory forecasts of runs.
 #include <cstdint>
 #include <string_view>
 
@@ -17,7 +17,7 @@ void takeSites(MemoryPlan& plan, std::string_view what, const Sites& sites) {
   }
 }
 
-/// A plan that has the program, its session and the sites.
+/// Begins a plan with the program, its session and the sites.
 MemoryPlan begun(const vorpipe_input& input, const PlacedInput& placed, const Workload& work) {
   MemoryPlan plan;
   takeSites(plan, "sites", *input.sites);
@@ -29,7 +29,7 @@ MemoryPlan begun(const vorpipe_input& input, const PlacedInput& placed, const Wo
   return plan;
 }
 
-/// Positions that a diagram has in degrees and in the plane.
+/// Plans positions that a diagram has both in degrees and in the plane.
 void takePlanePositions(MemoryPlan& plan, const PlacedInput& placed, Detail detail) {
   constexpr std::uint64_t vertices_of_cell = 6;
   if (!placed.domain.projection) return;

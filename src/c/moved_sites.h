@@ -1,5 +1,4 @@
-/// Sites that have moved or got other weights: as files, as inputs of further runs, and what was done to
-/// them.
+/// Sites that have moved or have new weights: as files, as inputs of further runs, and reports on them.
 #pragma once
 
 #include <string>
@@ -11,23 +10,23 @@
 
 namespace vorpipe::c {
 
-/// With what was known of them before.
+/// Moved sites with their original input.
 struct MovedSites {
   const vorpipe_input& input;
   const PlacedInput& placed;
   const Sites& sites;  ///< in the plane of a projection
 };
 
-/// Writes them to the caller as a file of that format. Errors: those of pointsFormatOf and writePoints.
+/// Writes them to the caller in this file format. Errors: those of pointsFormatOf and writePoints.
 vorpipe_code writeMoved(const MovedSites& moved, const char* format, vorpipe_write write, void* user);
 
-/// The same to a path, by its extension.
+/// The same to a path; its extension gives the format.
 vorpipe_code saveMoved(const MovedSites& moved, const char* path);
 
-/// Makes them an input, whose domain stays as it was found.
+/// Makes an input of them; its domain does not change.
 vorpipe_code giveMoved(const MovedSites& moved, Surface surface, vorpipe_input** input);
 
-/// Gives a run's report; its strings stay where they are.
+/// Returns a run's report; its strings stay where they are.
 vorpipe_code giveReport(const Report& report, vorpipe_report* to);
 
 }  // namespace vorpipe::c

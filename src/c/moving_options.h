@@ -1,4 +1,4 @@
-/// What options of everything that moves sites or masses have in common.
+/// Shared options of all functions that move sites or masses.
 #pragma once
 
 #include <utility>
@@ -9,11 +9,11 @@
 
 namespace vorpipe::c {
 
-/// How cells are found where an input is placed. Errors (input): those of cellsOptions.
+/// Returns the options for cells of a placed input. Errors (input): those of cellsOptions.
 Result<CellsOptions> movingOptions(const vorpipe_input& input, const PlacedInput& placed,
                                    vorpipe_search search, std::int32_t neighbors);
 
-/// Options that find cells so; the rest is as usual.
+/// Returns options that find cells in this way; all others are defaults.
 template <class Options>
 Options optionsWith(CellsOptions cells) {
   Options options{};
@@ -25,7 +25,7 @@ Options optionsWith(CellsOptions cells) {
   return options;
 }
 
-/// A function of the caller's that is told each step, as a `Told`, and ends a run by what is not 0.
+/// Wraps the caller's function, which gets each step as a `Told` and ends a run by returning a nonzero value.
 template <class Told, class Step>
 auto watcherOf(std::int32_t (*watch)(void* user, const Told* step), void* user, Told (*told)(const Step&)) {
   return [watch, user, told](const Step& step) {

@@ -1,4 +1,4 @@
-/// Names that options take.
+/// Names accepted by options.
 #include <fmt/core.h>
 
 #include <initializer_list>
@@ -60,7 +60,7 @@ const char* nameOf(vorpipe_list list, std::size_t index) {
 }  // namespace vorpipe::c
 
 const char* vorpipe_version() {
-  // A string of the program's, which ends with a zero.
+  // A string in the program itself, zero-terminated.
   return vorpipe::version().data();
 }
 

@@ -13,7 +13,7 @@
 namespace vorpipe::c {
 namespace {
 
-/// How values become colors, how wide lines are, what becomes of the domain's aspect.
+/// Takes options of appearance: mapping of values to colors, line widths, the domain's aspect ratio.
 Result<void> takeLooks(const PlacedInput& placed, const vorpipe_render_options& given,
                        RenderOptions& options) {
   constexpr std::array scales{ColorScale::automatic, ColorScale::linear, ColorScale::log,

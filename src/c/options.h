@@ -1,4 +1,4 @@
-/// Options of runs, from what a program gave.
+/// Options of runs, from a program's options.
 #pragma once
 
 #include <fmt/core.h>
@@ -15,7 +15,7 @@
 
 namespace vorpipe::c {
 
-/// The choice that a number stands for. Error (input): there is none.
+/// Returns the choice that a number stands for. Error (input): there is none.
 template <class Choice, std::size_t count>
 Result<Choice> chosen(const std::array<Choice, count>& choices, std::int32_t number, std::string_view name) {
   if (number >= 0 && static_cast<std::size_t>(number) < count)
@@ -23,8 +23,8 @@ Result<Choice> chosen(const std::array<Choice, count>& choices, std::int32_t num
   return inputError(fmt::format("{}: is {}, which stands for nothing", name, number));
 }
 
-/// The options of a run over an input, and where that is placed; those given may be NULL. Errors (input): a
-/// number that names nothing, a struct that is none; colors by weight, and there are no weights.
+/// Returns the options of a run over a placed input; the given options may be NULL. Errors (input): a number
+/// that names nothing; an invalid struct; colors by weight without weights.
 Result<CellsOptions> cellsOptions(const vorpipe_input& input, const PlacedInput& placed,
                                   const vorpipe_cells_options* given);
 Result<RenderOptions> renderOptions(const PlacedInput& placed, const vorpipe_render_options* given);
@@ -32,14 +32,14 @@ Result<RenderOptions> renderOptions(const PlacedInput& placed, const vorpipe_ren
 /// Error (input): a number that names no search.
 Result<SearchOptions> searchOf(vorpipe_search search, std::int32_t neighbors);
 
-/// Empty where there is none.
+/// Empty if there is no function.
 Progress progressOf(vorpipe_progress progress, void* user);
 
 /// Errors (input): no such feature or limit.
 Result<Mask> maskOf(std::uint32_t disabled_count, const char* const* disabled, std::uint64_t limit_count,
                     const vorpipe_limit* limits);
 
-/// Fewer than no threads are refused (input).
+/// Refuses (input) a negative number of threads.
 Result<int> threadsOf(std::int32_t threads);
 
 }  // namespace vorpipe::c

@@ -69,7 +69,7 @@ vorpipe_code draw(vorpipe_session& session, const vorpipe_input& input, const vo
   return VORPIPE_DONE;
 }
 
-/// What colors stand for, as vorpipe_c.h shows it.
+/// Returns the meaning of colors, in the form of vorpipe_c.h.
 vorpipe_color_key keyOf(const Rendering& rendering) {
   vorpipe_color_key shown{};
   shown.ticks = {nullptr, 0, VORPIPE_DOUBLE, 2};

@@ -15,7 +15,7 @@
 namespace vorpipe::c {
 namespace {
 
-/// What messages name, as vorpipe_c.h does.
+/// The words of messages, as in vorpipe_c.h.
 DomainWords wordsFor(const vorpipe_input& input) {
   return {input.name,
           "domain",
@@ -30,14 +30,14 @@ DomainWords wordsFor(const vorpipe_input& input) {
           "vorpipe_input_set_density_box"};
 }
 
-/// Notes that are new: the domain may have been found before.
+/// Adds only new notes: the domain may have been found before.
 void addNotes(const vorpipe_input& input, std::vector<std::string> notes) {
   for (std::string& note : notes) {
     if (std::ranges::find(input.notes, note) == input.notes.end()) input.notes.push_back(std::move(note));
   }
 }
 
-/// Sites in degrees, with the weights of the run.
+/// Returns the sites in degrees, with the weights of the run.
 std::shared_ptr<const Sites> givenInDegrees(PlacedSites& placed) {
   return std::make_shared<const Sites>(
       Sites{std::exchange(placed.longitudes, {}), std::exchange(placed.latitudes, {}), placed.sites.weight});
@@ -63,8 +63,8 @@ Result<PlacedInput> foundFor(const vorpipe_input& input) {
   return placed;
 }
 
-/// Takes the domain that was found before, with the system and the weights that are set now. Error (input): a
-/// system of a plane, and the domain is projected.
+/// Reuses the domain found before, with the present system and weights. Error (input): the system is that of
+/// a plane, but the domain is projected.
 Result<PlacedInput> keptFor(const vorpipe_input& input) {
   PlacedInput placed = *input.kept;
   const DomainWords words = wordsFor(input);
@@ -85,7 +85,7 @@ Result<PlacedInput> keptFor(const vorpipe_input& input) {
   return placed;
 }
 
-/// The placed input, beside which the density was looked at. Errors: those of placeDensity (input).
+/// Returns the placed input, after checking the density with it. Errors: those of placeDensity (input).
 Result<std::shared_ptr<const PlacedInput>> withDensity(const vorpipe_input& input) {
   if (input.density.values.empty() || input.density_looked_at == input.placed) return input.placed;
   PlacedSites placed = input.placed->domain;
@@ -137,7 +137,7 @@ std::unique_ptr<vorpipe_input> inputOf(const vorpipe_input& input, const PlacedI
   PlacedInput other = placed;
   other.sites = std::make_shared<const Sites>(sites);
   other.given = made->sites;
-  // No longer a pattern to spread over an outline or a box.
+  // The sites are no longer a pattern to spread over an outline or a box.
   made->from = SitesFrom::caller;
   made->generator.reset();
   made->kept = std::make_shared<const PlacedInput>(std::move(other));

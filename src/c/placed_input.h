@@ -1,4 +1,4 @@
-/// Inputs as runs take them.
+/// Inputs in the form that runs need.
 #pragma once
 
 #include <memory>
@@ -7,25 +7,27 @@
 
 namespace vorpipe::c {
 
-/// Finds the domain of an input, where that has not been done since its last change, and notes what was
-/// mended or reinterpreted. Errors: those of findDomain (input).
+/// Finds the domain of an input, unless that was done since its last change, and notes what was repaired or
+/// reinterpreted. Errors: those of findDomain (input).
 Result<std::shared_ptr<const PlacedInput>> placedInput(const vorpipe_input& input);
 
-/// Something that the domain depends on has changed: it is found anew, even where it was kept.
+/// Call this after changing something that the domain depends on: the domain is found anew, even if it was
+/// kept.
 void findAnew(vorpipe_input& input);
 
-/// Takes a diagram of this input back to degrees, if its sites were projected, and keeps its positions.
+/// Converts a diagram of this input back to degrees, if its sites were projected, and returns its previous
+/// positions.
 std::optional<PlanePositions> takeToDegrees(const PlacedInput& input, Diagram& diagram, int threads);
 
-/// Sites of the plane of an input, as its caller has them: in degrees where it is projected.
+/// Converts sites in the plane of an input to the caller's coordinates: to degrees if it is projected.
 Sites shownSites(const PlacedInput& input, Sites sites);
 
-/// An input like one that was placed, whose sites have become others. The domain stays as it was found, even
-/// where it was that of the sites, until findAnew().
+/// Copies a placed input with other sites. The domain does not change, even if it was derived from the sites,
+/// until findAnew().
 std::unique_ptr<vorpipe_input> inputOf(const vorpipe_input& input, const PlacedInput& placed,
                                        const Sites& sites);
 
-/// The system of all positions of a diagram.
+/// The coordinate system of all positions of a diagram.
 const CoordinateSystem& systemOf(const PlacedInput& input);
 
 }  // namespace vorpipe::c

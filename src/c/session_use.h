@@ -1,4 +1,4 @@
-/// The one run that a session has at a time.
+/// Allows a session only one run at a time.
 #pragma once
 
 #include "c/failure.h"
@@ -8,8 +8,8 @@
 
 namespace vorpipe::c {
 
-/// Takes a session for a run. While it has another, of which the caller's progress may ask for this one, or
-/// another thread, the run is refused: it would see half-written state.
+/// Reserves a session for a run. Refuses the run while the session has another, since it would see
+/// half-written state. Such a run may come from the caller's progress function or another thread.
 class SessionUse {
  public:
   explicit SessionUse(vorpipe_session& session)
@@ -20,7 +20,7 @@ class SessionUse {
   SessionUse(const SessionUse&) = delete;
   SessionUse& operator=(const SessionUse&) = delete;
 
-  /// Error (device): it is busy.
+  /// Error (device): the session is busy.
   [[nodiscard]] Result<void> begun() const {
     if (!is_refused_) return {};
     return tl::unexpected(Error{
@@ -33,7 +33,7 @@ class SessionUse {
   bool is_refused_;
 };
 
-/// Runs what takes the session, and may throw.
+/// Runs a function that uses the session and may throw.
 template <class Body>
 vorpipe_code guardedRun(vorpipe_session& session, const Body& body) noexcept {
   return guarded([&]() -> vorpipe_code {

@@ -1,11 +1,12 @@
-/// What cells of a diagram share.
+/// Shared vertices and edges of the cells of a diagram.
 #pragma once
 
 #include "c/handles.h"
 
 namespace vorpipe::c {
 
-/// Found once, by whichever thread asks first; the diagram keeps it. Errors: those of topologyOf.
+/// Returns the topology, found once by the first thread that requests it; the diagram keeps it. Errors: those
+/// of topologyOf.
 const Result<Topology>& sharedPartsOf(const vorpipe_diagram& diagram);
 
 }  // namespace vorpipe::c

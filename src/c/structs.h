@@ -12,12 +12,12 @@
 
 namespace vorpipe::c {
 
-/// Whether a struct of options is one: its size is set, and fields that this library does not know are zero.
+/// Checks a struct of options: its size is set, and fields unknown to this library are zero.
 Result<void> checkStruct(const void* given, std::uint32_t struct_size, std::size_t known,
                          std::string_view name);
 
-/// What a caller gave, with zeros for the fields that it does not know; all zeros for NULL. Error (input):
-/// those of checkStruct.
+/// Returns a copy of the caller's struct, with zeros for fields unknown to the caller; all zeros for NULL.
+/// Error (input): those of checkStruct.
 template <class Options>
 Result<Options> taken(const Options* given, std::string_view name) {
   static_assert(std::is_trivially_copyable_v<Options>);

@@ -1,4 +1,4 @@
-/// Weights for masses that are prescribed.
+/// Weights for prescribed masses.
 #include <cstddef>
 #include <utility>
 
@@ -22,7 +22,7 @@ tl::unexpected<Error> refused(const std::string& message) {
   return tl::unexpected(Error{ErrorCode::input, message, false, Subject::masses});
 }
 
-/// Refuses what contradicts itself.
+/// Refuses contradictory options.
 Result<void> checkMasses(const vorpipe_transport_options& wanted) {
   if (wanted.masses == nullptr && wanted.mass_count > 0) return refused("masses: is NULL");
   if (!(wanted.fill >= 0 && wanted.fill < 1)) {

@@ -42,7 +42,7 @@ Result<void> writeEdgesAs(ByteSink& to, const vorpipe_diagram& diagram, const Ed
   return writeEdges(to, {diagram.diagram, *topology, systemOf(*diagram.input)}, format);
 }
 
-/// Pixels, ids or their place, by the extension.
+/// Writes pixels, ids or their place, by the extension.
 Result<void> writeAs(ByteSink& to, const vorpipe_picture& picture, const std::string& extension) {
   static const Sites no_sites;
   const Image& image = picture.rendering.image;

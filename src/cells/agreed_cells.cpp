@@ -15,9 +15,8 @@
 namespace vorpipe::core {
 namespace {
 
-/// Agrees on cells whose areas add up to that of the domain. That they do not although neighbors agree
-/// everywhere takes a diagram that lies over itself, so that no cell on its own is known to be wrong:
-/// all are found again.
+/// Makes cells agree such that their areas add up to the domain's. If the sum is off although neighbors agree
+/// everywhere, the diagram overlaps itself. Then no single cell is known to be wrong, so all are found again.
 Result<TiedCells> reconcile(const SearchInput& input, NeighborRows& rows, const Records& records,
                             const Box& domain, Report& report) {
   auto tied = reconcileCells(input, rows, records, report);
@@ -40,7 +39,7 @@ SearchInput inputOf(const Machine& machine, SiteRun& run, const CellsOptions& op
   return {machine.backend, run.judge, run.prepared.set, options.search, machine.threads, options.progress};
 }
 
-/// Agrees on cells with these neighbors.
+/// Makes cells with these neighbors agree.
 Result<AgreedCells> agree(const SearchInput& input, NeighborRows rows, const SiteRun& run, const Sites& sites,
                           const Box& domain, std::span<double> spread, Report& report) {
   AgreedCells agreed{std::move(rows), makeRecords(run.prepared, sites), {}};
@@ -64,7 +63,7 @@ Result<AgreedCells> agreeOnCells(const Machine& machine, SiteRun& run, const Sit
 Result<std::optional<AgreedCells>> agreeUnlessEmpty(const Machine& machine, SiteRun& run, const Sites& sites,
                                                     const CellsOptions& options, std::span<double> spread,
                                                     Report& report) {
-  if (run.prepared.set.size() < sites.size()) return std::nullopt;  // A duplicate has none.
+  if (run.prepared.set.size() < sites.size()) return std::nullopt;  // A duplicate has no cell.
   const SearchInput input = inputOf(machine, run, options);
   auto rows = findNeighborsUnlessEmpty(input, report);
   if (!rows) return tl::unexpected(rows.error());

@@ -1,4 +1,4 @@
-/// The cells of a run, found and agreed on, before they are written as anything.
+/// The cells of a run, found and consistent with each other, before any output is written from them.
 #pragma once
 
 #include <optional>
@@ -15,12 +15,12 @@ struct AgreedCells {
   TiedCells tied;
 };
 
-/// Finds the cells of a run, which was begun with `sites` on the same machine, and agrees on them. `spread`
-/// is as in Records. `report` gets what was done. Errors: as Session::cells'.
+/// Finds the cells of a run and makes them agree. The run was begun with `sites` on the same machine.
+/// `spread` is as in Records. Adds what was done to `report`. Errors: as in Session::cells.
 Result<AgreedCells> agreeOnCells(const Machine& machine, SiteRun& run, const Sites& sites,
                                  const CellsOptions& options, std::span<double> spread, Report& report);
 
-/// The same, but nothing as soon as it is proved that a site has no cell.
+/// The same, but returns nothing as soon as a site is proved to have no cell.
 Result<std::optional<AgreedCells>> agreeUnlessEmpty(const Machine& machine, SiteRun& run, const Sites& sites,
                                                     const CellsOptions& options, std::span<double> spread,
                                                     Report& report);

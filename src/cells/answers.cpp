@@ -20,7 +20,7 @@ constexpr std::size_t pixels_at_once = std::size_t{1} << 16;
 /// The fewest edges of a cell.
 constexpr std::size_t least_edges = 3;
 
-/// For the entries of a batch, whose own sites are not among their lines: a number that no neighbor has.
+/// For entries of a batch, whose lines do not include their own site: a number that no neighbor has.
 constexpr std::int64_t no_own_site = std::numeric_limits<std::int64_t>::min();
 
 Error nonsense(const Backend& backend, std::string_view what) {
@@ -41,8 +41,9 @@ std::string_view whatIsWrong(const CellNeighbors& cells, std::size_t count) {
   return {};
 }
 
-/// Whether a cell of that status can have these neighbors. All must be walls or less than `count`, the number
-/// of sites or lines, and none the cell's own site. Those of a certified cell begin with the smallest number.
+/// Whether a cell with this status can have these neighbors. Each must be a wall or less than `count`, the
+/// number of sites or lines, and not the cell's own site. A certified cell's neighbors begin with the
+/// smallest number.
 bool couldBe(CellStatus status, std::span<const std::int32_t> neighbors, std::int64_t self,
              std::int64_t count) {
   if (!isDone(status)) return neighbors.empty();
@@ -54,7 +55,7 @@ bool couldBe(CellStatus status, std::span<const std::int32_t> neighbors, std::in
          *std::min_element(neighbors.begin(), neighbors.end()) == neighbors.front();
 }
 
-/// Removes the neighbors of all entries that are not done; those of the others keep their order.
+/// Removes the neighbors of all entries that are not done; the others keep theirs in order.
 void dropOthers(CellNeighbors& cells) {
   std::uint64_t end = 0;
   std::uint64_t begin = cells.offsets[0];
@@ -69,7 +70,7 @@ void dropOthers(CellNeighbors& cells) {
   cells.neighbor.resize(end);
 }
 
-/// Makes entries `missing` that could be no cells. limitsOf(e) returns the number of entry e's own site, and
+/// Makes entries `missing` that cannot be cells. limitsOf(e) returns the number of entry e's own site, and
 /// the number of sites or lines that its neighbors can be. Error (device): see whatIsWrong.
 template <class LimitsOf>
 Result<void> secure(const Backend& backend, std::size_t count, int threads, CellNeighbors& cells,

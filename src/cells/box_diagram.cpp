@@ -11,8 +11,7 @@
 namespace vorpipe::core {
 namespace {
 
-/// The centroid of a site without a cell is the site, as the caller has it to the last bit: scaled ones may
-/// be rounded.
+/// The centroid of a site without a cell is the caller's site, to the last bit: scaled ones may be rounded.
 void keepSitesWithoutCells(const Sites& sites, int threads, Diagram& diagram) {
   constexpr std::size_t grain = 1 << 14;
   parallelFor(sites.size(), grain, threads, [&](std::size_t begin, std::size_t end) {
@@ -34,7 +33,7 @@ Result<Diagram> boxDiagramOn(const Machine& machine, SiteRun& run, const Sites& 
   auto agreed = agreeOnCells(machine, run, sites, options, {}, diagram.report);
   if (!agreed) return tl::unexpected(agreed.error());
   takeRecords(agreed->records, options.detail, threads, diagram);
-  BigVector<CellRecord>().swap(agreed->records);  // to be assigned nothing would leave it its memory
+  BigVector<CellRecord>().swap(agreed->records);  // assigning an empty one would keep the memory
   if (diagram.report.empty > 0) keepSitesWithoutCells(sites, threads, diagram);
   if (!set.weight.empty()) diagram.report.hidden = diagram.report.empty;
   {

@@ -1,12 +1,12 @@
-/// The whole way from prepared sites to cells as data, where the domain is a box.
+/// From prepared sites to a Diagram, if the domain is a box.
 #pragma once
 
 #include "cells/site_run.h"
 
 namespace vorpipe::core {
 
-/// What Session::cells does, but for outlines, periods and mass. `run` was begun with `sites`, on the same
-/// machine, and has the cells afterwards; its owners are the diagram's. Errors: as Session::cells'.
+/// Does what Session::cells does, except outlines, periods and mass. `run` was begun with `sites`, on the
+/// same machine. Stores the cells in `run` and moves its owners to the diagram. Errors: as in Session::cells.
 Result<Diagram> boxDiagramOn(const Machine& machine, SiteRun& run, const Sites& sites,
                              const CellsOptions& options);
 

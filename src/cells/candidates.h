@@ -1,4 +1,4 @@
-/// Which sites may cut which cells: what a search answers.
+/// Which sites may cut which cells: the result of a search.
 #pragma once
 
 #include <cstdint>
@@ -9,9 +9,9 @@
 
 namespace vorpipe::core {
 
-/// The candidates of `site[e]` are index[offsets[e]] .. index[offsets[e + 1] - 1], nearest first, without
-/// the site itself. Every other site is at least reach[e] away from it: infinity, when no other can
-/// cut. Indices are those of the SiteSet; distances are in scaled units.
+/// The candidates of `site[e]` are index[offsets[e]] .. index[offsets[e + 1] - 1], nearest first, without the
+/// site itself. Every site not listed is at least reach[e] away from it; infinity if no other can cut.
+/// Indices are those of the SiteSet; distances are in scaled units.
 struct Candidates {
   std::vector<std::uint32_t> site;
   std::vector<std::uint32_t> offsets{0};

@@ -34,7 +34,7 @@ class CellCheck {
     }
   }
 
-  /// Checks what is in the batch.
+  /// Checks the cells in the batch.
   void finish() {
     batch_.place();
     bool any = false;
@@ -60,7 +60,7 @@ class CellCheck {
     }
   }
 
-  /// About the centroid, which stands at `centroid` from where the cell was measured.
+  /// The spread about the centroid; `centroid` is relative to the measuring origin.
   [[nodiscard]] double spreadInBatch(std::size_t k, double area, Point centroid) const {
     if (records_.spread.empty()) return 0;
     return batch_.spread(k) / 12 - area * (centroid.x * centroid.x + centroid.y * centroid.y);
@@ -71,8 +71,8 @@ class CellCheck {
     std::atomic_ref(suspect_[static_cast<std::size_t>(neighbor)]).store(1, std::memory_order_relaxed);
   }
 
-  /// Whether an edge of `cell` begins, in the cell on its other side, at the same three sites. Checked for
-  /// all edges of all cells, it implies that they end alike too, and that neighbors are mutual.
+  /// Whether an edge of `cell` begins at the same three sites in the cell on its other side. If this holds
+  /// for all edges of all cells, they end alike too, and neighbors are mutual.
   bool beginsAlike(std::uint32_t cell, std::int32_t before, std::int32_t neighbor) const {
     if (neighbor < 0) return true;
     const auto other = static_cast<std::size_t>(neighbor);
@@ -104,8 +104,8 @@ class CellCheck {
     return all;
   }
 
-  /// Marks a cell that is so flat, or turned around, that weights may leave nothing of it: its two longest
-  /// edges may coincide without being short.
+  /// Marks a cell so flat, or turned around, that weights may leave it no area: its two longest edges may
+  /// coincide without being short.
   void markFlat(std::uint32_t cell, double area, double perimeter) {
     if (!(area > 1e-6 * perimeter * perimeter)) mark(static_cast<std::int32_t>(cell));
   }
@@ -155,9 +155,9 @@ class CellCheck {
   std::vector<AnchoredPoint> places_;
 };
 
-/// Prefetches cells about one row of bins ahead. Cells are checked row by row, so that those are read next
-/// and are not in the cache yet. (Not inlined, GCC would treat it as a function without effects and drop the
-/// call.)
+/// Prefetches cells about one row of bins ahead. Cells are checked row by row, so these are read next and are
+/// not in the cache yet. (If it were not inlined, GCC would treat it as a function without effects and drop
+/// the call.)
 [[gnu::always_inline]] inline void prefetchBeyond(const ProposedCells& proposed, std::size_t cell) {
 #if defined(__GNUC__)
   const auto& sites = proposed.sites;

@@ -9,7 +9,7 @@
 
 namespace vorpipe::core {
 
-/// Cells as they were found, and what their check needs; all of it outlives the use.
+/// Cells as found, and what their check needs. The referenced objects outlive it.
 struct ProposedCells {
   const SiteSet& sites;
   const NeighborRows& cells;
@@ -17,13 +17,13 @@ struct ProposedCells {
   int threads;
 };
 
-/// Checks the cells `which` in double. A cell passes where each edge is longer than a tie and both cells of
-/// each edge name the same sites and walls at its ends; then it is measured into `records`. Other cells, and
-/// those beside a tie, are marked with 1 in `suspect`, which has an element for each cell. resolveTies
-/// decides whether ties explain them.
+/// Checks the cells `which` in double. A cell passes if each edge is longer than a tie and both cells of each
+/// edge name the same sites and walls at its ends. Cells that pass are measured into `records`. Other cells,
+/// and those beside a tie, get 1 in `suspect`, which has an element for each cell. resolveTies decides
+/// whether ties explain them.
 ///
-/// Where all cells pass, every edge is locally Delaunay and the cells around every vertex agree: the diagram
-/// is correct.
+/// If all cells pass, every edge is locally Delaunay and the cells around every vertex agree: the diagram is
+/// correct.
 void checkCells(const ProposedCells& proposed, std::span<const std::uint32_t> which, const Records& records,
                 std::span<std::uint8_t> suspect);
 
@@ -33,8 +33,9 @@ void checkCells(const ProposedCells& proposed, const Records& records, std::span
 /// Whether a cell is certified and has at least three edges, all to other sites or to walls of the domain.
 bool isWellFormed(const SiteSet& sites, const NeighborRows& cells, std::size_t cell);
 
-/// Whether `cell` is correctly empty: status empty, no edges, and its site is outside the domain or has
-/// weights, where proveEmpty has checked it. A site in the domain without weights has a cell.
+/// Whether `cell` is correctly empty: its status is empty, it has no edges, and its site is outside the
+/// domain or the set has weights. With weights, proveEmpty has checked it. Without weights, every site in the
+/// domain has a cell.
 bool isRightlyEmpty(const SiteSet& sites, const NeighborRows& cells, std::size_t cell);
 
 }  // namespace vorpipe::core

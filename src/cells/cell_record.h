@@ -1,4 +1,4 @@
-/// The records of cells: from the sites of a SiteSet, in scaled units, to input order and the caller's units.
+/// Records of cells: from SiteSet order and scaled units to input order and the caller's units.
 #pragma once
 
 #include <algorithm>
@@ -13,7 +13,7 @@
 
 namespace vorpipe::core {
 
-/// From scaled units to the caller's: a power of two, so that it is exact.
+/// Converts scaled units to the caller's. The factor is a power of two, so the conversion is exact.
 class Unscale {
  public:
   explicit Unscale(int exponent) : exponent_(exponent), plain_(std::abs(exponent) < 200) {
@@ -36,8 +36,8 @@ inline std::int64_t outsideIndex(const SiteSet& sites, std::int32_t neighbor) {
   return neighbor < 0 ? std::int64_t{neighbor} : std::int64_t{sites.id[static_cast<std::size_t>(neighbor)]};
 }
 
-/// The origin for measuring a cell: its site; or its first corner where the cell may be small and far from
-/// the site, which is so with weights and for sites outside the domain.
+/// The origin for measuring a cell: its site, or its first corner if the cell may be small and far from the
+/// site. That can happen with weights and for sites outside the domain.
 inline Point measuringOrigin(const SiteSet& sites, std::size_t cell, const AnchoredPoint& first_corner) {
   const Point site{sites.x[cell], sites.y[cell]};
   const bool holds_site = sites.weight.empty() && isInside(sites.domain, site.x, site.y);
@@ -69,10 +69,9 @@ struct Records {
   const SiteSet& sites;
   Unscale unscale;
   std::span<CellRecord> by_input;
-  std::span<double> spread{};  ///< by input index too, as CellMoments::spread; empty: not wanted
+  std::span<double> spread{};  ///< by input index, as CellMoments::spread; empty if not wanted
 
-  /// Prefetches the record of `cell` for writing: stores retire in order, so that a miss would stall those
-  /// after it.
+  /// Prefetches the record of `cell` for writing: stores retire in order, so a miss would stall later ones.
   void prefetch(std::size_t cell) const {
 #if defined(__GNUC__)
     __builtin_prefetch(&by_input[sites.id[cell]], 1);
@@ -84,12 +83,12 @@ struct Records {
     by_input[sites.id[cell]] = {0, unscale(Point{sites.x[cell], sites.y[cell]}), 0, Status::empty};
     if (!spread.empty()) spread[sites.id[cell]] = 0;
   }
-  /// Replaces the number of edges of a cell that is recorded.
+  /// Replaces the number of edges of a recorded cell.
   void setEdges(std::size_t cell, std::size_t edges) const {
     by_input[sites.id[cell]].edges = static_cast<std::uint32_t>(edges);
   }
-  /// `centroid` is relative to `origin`, as in measuringOrigin; `about_centroid` is the integral of the
-  /// squared distance to it, which is not read where spread is not wanted.
+  /// `centroid` is relative to `origin`, which is as in measuringOrigin. `about_centroid` is the integral of
+  /// the squared distance to the centroid; it is ignored if spread is not wanted.
   void cell(std::size_t cell, std::size_t edges, double area, Point origin, Point centroid,
             double about_centroid) const {
     if (!spread.empty()) spread[sites.id[cell]] = unscale(about_centroid, 4);

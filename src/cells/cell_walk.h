@@ -1,4 +1,4 @@
-/// Goes through cells with their corners.
+/// Visits cells with their corners.
 #pragma once
 
 #include <cstdint>
@@ -15,8 +15,8 @@ class CellWalk {
  public:
   CellWalk(const SiteSet& sites, const NeighborRows& cells) : sites_(sites), cells_(cells), batch_(sites) {}
 
-  /// Calls take(cell, row, corners) for each cell from `begin` to `end` - 1 that is not empty, in any order:
-  /// `row` is its neighbors, and `corners` is where the edges to them begin, ties among them or not.
+  /// Calls take(cell, row, corners) for each non-empty cell from `begin` to `end` - 1, in any order. `row`
+  /// holds its neighbors, and `corners` the points where the edges to them begin, ties included.
   template <class Take>
   void operator()(std::size_t begin, std::size_t end, const Take& take) {
     walk(

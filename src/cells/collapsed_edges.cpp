@@ -10,7 +10,7 @@ namespace {
 
 constexpr std::size_t collapsed_edges_grain = 1024;
 
-/// Finds the cells that ties enclose: from such a cell no path across edges reaches a wall.
+/// Finds the cells that ties enclose: no path across edges leads from such a cell to a wall.
 class EnclosedCells {
  public:
   EnclosedCells(const ProposedCells& proposed, DisjointSets& sets, TiedCells& tied)
@@ -33,10 +33,10 @@ class EnclosedCells {
     return e + 1 < row.size() ? e + 1 : 0;
   }
 
-  /// n corners of the diagram are joined without a cycle by n - 1 ties: a tree. Counts ties - corners + 1 at
-  /// each vertex, in sixths: of a corner of the diagram each of three cells has 2, at a wall each of two
-  /// cells 3, in a corner of the domain the only cell 6; of a tie between two sites each of their cells
-  /// has 3. Where it is 0 there is no cycle.
+  /// Joining n corners of the diagram without a cycle takes n - 1 ties: a tree. Counts ties - corners + 1 at
+  /// each vertex, in sixths. Each of three cells contributes 2 for a corner of the diagram, each of two cells
+  /// 3 at a wall, the only cell 6 in a corner of the domain. For a tie between two sites each of their cells
+  /// contributes 3. If the count is 0 there is no cycle.
   void countRings() {
     excess_.assign(tied_.position.size(), one_corner);
     for (std::size_t k = 0; k < tied_.cell.size(); ++k) {

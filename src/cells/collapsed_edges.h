@@ -1,4 +1,4 @@
-/// Edges that collapse, since ties join their ends.
+/// Edges that collapse because ties join their ends.
 #pragma once
 
 #include "base/disjoint_sets.h"
@@ -6,10 +6,10 @@
 
 namespace vorpipe::core {
 
-/// Makes ties of all edges whose two ends are one vertex. With weights, a ring of ties may enclose cells that
-/// have longer edges among each other, because their sites are nearer to each other than to those around.
-/// Such cells become one vertex, without edges. Enclosed cells that are not in `tied` are listed in
-/// `tied.enclosed`; the caller then repeats with them.
+/// Turns all edges whose two ends are one vertex into ties. With weights, a ring of ties may enclose cells
+/// that share longer edges, because their sites are nearer to each other than to those around. Such cells
+/// become one vertex, without edges. Enclosed cells that are not in `tied` are listed in `tied.enclosed`; the
+/// caller then repeats with them.
 ///
 /// The cells that keep edges then form a partition: one ring of edges bounds each, and each is connected to
 /// the domain's walls through others.

@@ -1,4 +1,4 @@
-/// Which cells a device is asked for.
+/// Which cells a device is asked to find.
 #pragma once
 
 #include "backend/backend.h"
@@ -6,17 +6,17 @@
 namespace vorpipe::core {
 
 struct Triage {
-  std::vector<std::uint32_t> inside;   ///< sites whose cells a device is asked for, ascending
-  std::vector<std::uint32_t> outside;  ///< the others, ascending; their cells are the judge's
+  std::vector<std::uint32_t> inside;   ///< sites whose cells a device is asked to find, ascending
+  std::vector<std::uint32_t> outside;  ///< the others, ascending; the judge finds their cells
 };
 
 /// All sites of a set, ascending.
 std::vector<std::uint32_t> allOf(const SiteSet& sites);
 
-/// A device gets the sites inside the domain: as far as one outside is from its cell, a float is too coarse
-/// to say whether the domain holds a little of it. It gets none where squares of distances or weights may not
-/// fit in a float: a site 1e15 domains away, or a weight of 1e18 squared domains, touches the search of any
-/// cell.
+/// Gives a device the sites inside the domain. A site outside may be so far from its cell that a float cannot
+/// decide whether the domain contains a little of it. Gives it none if squares of distances or weights may
+/// not fit in a float: a site 1e15 domains away, or a weight of 1e18 squared domains, affects the search for
+/// any cell.
 Triage sortOut(const SiteSet& sites, int threads);
 
 }  // namespace vorpipe::core

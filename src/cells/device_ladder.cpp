@@ -38,7 +38,7 @@ Result<std::vector<std::uint32_t>> CellLadder::climbDevice(const Ask& ask) {
   return std::exchange(left_, {});
 }
 
-/// The cells that no device is asked about are left at once.
+/// Cells that no device is asked about go to the remaining ones at once.
 void CellLadder::sortOutOnce() {
   if (!sorted_out_) choose(sortOut(input_.sites, input_.threads));
 }
@@ -87,7 +87,7 @@ Result<void> CellLadder::tryTile(const Tile& tile, const Ask& ask) {
   hidden_ = 0;
   Large large;
   VORPIPE_TRY(tryFast(tile, sample.cells, ask, large));
-  // A few that need more room do not change what the sample tells.
+  // A few cells that need more room do not change the sample's prediction.
   if (4 * large.cells.size() > sample.cells.size()) {
     VORPIPE_TRY(tryLarge(tile, ask, large));
   }
@@ -101,7 +101,7 @@ Result<void> CellLadder::tryTile(const Tile& tile, const Ask& ask) {
   return tryLarge(tile, ask, large);
 }
 
-/// Adds the cells that need more room, by what is known of them or by this try, to `large`.
+/// Adds to `large` the cells that need more room, according to earlier tries or this one.
 Result<void> CellLadder::tryFast(const Tile& tile, Which which, const Ask& ask, Large& large) {
   if (!any_roomy_) return tryCells(tile, which, Effort::fast, ask, large);
   Indices fast;
@@ -145,14 +145,14 @@ Result<void> CellLadder::tryCells(const Tile& tile, Which which, Effort effort, 
   return {};
 }
 
-/// Whether so many cells are left for a triangulation, `more` among them, that it takes no longer to
-/// triangulate all sites than to ask the device about the rest.
+/// Whether so many cells remain, with `more` added, that triangulating all sites takes no longer than asking
+/// the device about the rest.
 bool CellLadder::areMany(std::size_t more) const {
   constexpr std::size_t many = 4;
   return many * (left_.size() + more) > input_.sites.size();
 }
 
-/// What the mesh finds on the way.
+/// Leaves these cells to the mesh.
 void CellLadder::leave(const Tile& tile, Which which) {
   for (const auto site : which) left_.push_back(tile.wholeIndex(site));
   done_ += which.size();
@@ -184,7 +184,7 @@ Result<void> CellLadder::climbLists(const Ask& ask) {
   return {};
 }
 
-/// Asks for cells from their k nearest neighbors.
+/// Asks the device for cells from their k nearest neighbors.
 Result<CellLadder::Outcome> CellLadder::tryLists(Which which, std::size_t k, Effort effort, const Ask& ask) {
   const auto& info = input_.backend.info();
   const bool fast = effort == Effort::fast;

@@ -1,9 +1,9 @@
-/// Which try follows which until a cell is certified: for cells that are found and for cells that are drawn.
+/// The sequence of tries until a cell is certified, both for finding cells and for drawing them.
 ///
-/// A device clips a cell fast; one that overflows, with more room. With the grid it walks the bins, tile by
-/// tile where the sites do not fit; with lists it gets twice as many neighbors for cells that others might
-/// still cut. What it leaves, and what is crowded, is the judge's (judge.h): all of it, where a sample or
-/// the number of crowded sites tells that the device would try in vain.
+/// A device first clips a cell fast, then, if the cell overflows, with more room. With the grid it walks the
+/// bins, tile by tile if the sites do not fit. With lists it gets twice as many neighbors for cells that
+/// others might still cut. The judge (judge.h) finds the remaining cells and the crowded ones. It finds all
+/// of them if a sample, or the number of crowded sites, shows that the device would try in vain.
 #pragma once
 
 #include <functional>
@@ -18,7 +18,7 @@
 
 namespace vorpipe::core {
 
-/// What finding cells works with; all of it outlives the call.
+/// Inputs for finding cells; they all outlive the call.
 struct SearchInput {
   Backend& backend;
   Judge& judge;  ///< of the same sites
@@ -32,29 +32,30 @@ class CellLadder {
  public:
   using Which = std::span<const std::uint32_t>;
   using Statuses = std::span<CellStatus>;
-  /// Ask the device about some cells, one status for each: of a tile, by index in its sites; or from
-  /// candidates. `overflow` asks for more room, `unsecured` for more candidates; what else is neither
-  /// certified nor empty is left to the judge.
+  /// Functions that ask the device about some cells and set one status for each: cells of a tile, by index in
+  /// its sites, or of candidates. `overflow` requests more room, `unsecured` more candidates. Any other
+  /// status except certified and empty leaves the cell to the judge.
   struct Ask {
     std::function<Result<void>(const Tile& tile, Which which, Effort effort, Statuses status)> by_grid;
     std::function<Result<void>(const Candidates& candidates, Effort effort, Statuses status)> by_lists;
   };
 
-  /// `upload` gives the backend its sites. Fewer cells than `worth_fast` have room from the start.
+  /// `upload` gives the backend its sites. With fewer than `worth_fast` sites, all cells have more room from
+  /// the start.
   CellLadder(const SearchInput& input, Upload& upload, std::size_t worth_fast);
 
-  /// Asks about these cells alone: `inside` are those that the device is asked about, `outside` the others.
-  /// Comes before the first climb.
+  /// Limits the ladder to these cells: the device is asked about `inside` but not about `outside`. Call this
+  /// before the first climb.
   void choose(Triage triage);
-  /// Asks the device about the cells that it is fit for, in later calls about those that it did before.
-  /// Returns the cells that are left, ascending. Errors: the device's; progress said stop.
+  /// Asks the device about the cells that suit it; in later calls, about those that it solved before. Returns
+  /// the remaining cells, ascending. Errors: the device's; progress requested a stop.
   Result<std::vector<std::uint32_t>> climbDevice(const Ask& ask);
-  /// Adds the cells that are left to `rows`, which have all others.
+  /// Adds the remaining cells to `rows`, which hold all others.
   Result<void> findLeft(const std::vector<std::uint32_t>& which, NeighborRows& rows);
-  /// Finds cells that are left where the others are not known.
+  /// Finds remaining cells if the others are unknown.
   Result<KnownCells> askJudge(std::vector<std::uint32_t> which);
 
-  /// Adds how many cells took which way, and the times of searching on the host and of the judge.
+  /// Adds to `report` how many cells took which path, and the times of the host search and the judge.
   void describe(Report& report) const;
 
   [[nodiscard]] double judgeSeconds() const { return judge_seconds_; }
@@ -66,7 +67,7 @@ class CellLadder {
     Indices cells;
     std::size_t overflowed = 0;  ///< how many of `cells` overflowed in this climb's fast try
   };
-  /// What became of cells from lists.
+  /// Cells from lists that need another try.
   struct Outcome {
     Indices roomier, unsecured;
   };
@@ -87,13 +88,13 @@ class CellLadder {
   SearchInput input_;
   Upload& upload_;
   bool sorted_out_ = false;
-  Indices on_device_;        ///< what the device is asked about, ascending
-  Indices left_;             ///< in the whole set: neither certified nor worth another try on the device
-  bool begins_roomy_;        ///< every cell has room from the start
-  bool any_roomy_;           ///< any of these, before this climb
+  Indices on_device_;  ///< cells that the device is asked about, ascending
+  Indices left_;       ///< indices in the whole set: cells neither certified nor worth another device try
+  bool begins_roomy_;  ///< every cell has room from the start
+  bool any_roomy_;     ///< any cell needed room before this climb
   std::vector<bool> roomy_;  ///< by site: needs more room than a fast try has
   std::size_t done_ = 0;     ///< cells of this climb, for the progress
-  std::size_t hidden_ = 0;   ///< of the cells that a tile was asked for, those that came out empty
+  std::size_t hidden_ = 0;   ///< cells of the current tile that came out empty
   std::optional<FlannSearch> lists_;
   std::uint64_t retried_ = 0, in_double_ = 0, exact_ = 0;
   double search_seconds_ = 0, judge_seconds_ = 0;

@@ -116,8 +116,7 @@ class EdgeWriter {
   std::vector<AnchoredPoint> places_;
 };
 
-/// Gives the arrays that `detail` asks for their lengths. To touch memory for the first time takes long, so
-/// that it is shared out.
+/// Resizes the arrays that `detail` requests. First touch of memory is slow, so threads share it.
 void makeArrays(std::size_t count, std::size_t edges, Detail detail, int threads, Diagram& diagram) {
   std::vector<std::function<void()>> tasks;
   const auto make = [&tasks](auto& array, std::size_t size) {
@@ -138,13 +137,13 @@ void makeArrays(std::size_t count, std::size_t edges, Detail detail, int threads
               [&](std::size_t task, std::size_t) { tasks[task](); });
 }
 
-/// areaGap of `count` cells.
+/// The areaGap of `count` cells.
 template <class AreaOf>
 double gapOf(std::size_t count, const AreaOf& area_of, const Box& domain, int threads) {
   std::vector<DoubleDouble> parts((count + diagram_writer_grain - 1) / diagram_writer_grain);
   parallelFor(count, diagram_writer_grain, threadsForSteps(count, threads),
               [&](std::size_t begin, std::size_t end) {
-                // One sum would wait for itself.
+                // A single sum would be a dependency chain.
                 std::array<DoubleDouble, 4> sums{};
                 for (auto i = begin; i < end; ++i) sums[i % 4] = sums[i % 4] + DoubleDouble{area_of(i), 0};
                 parts[begin / diagram_writer_grain] = (sums[0] + sums[1]) + (sums[2] + sums[3]);
@@ -220,7 +219,7 @@ void writeEdges(const ProposedCells& proposed, const TiedCells& tied, Detail det
 }
 
 void dropPolygons(Diagram& diagram) {
-  // To be assigned nothing would leave them their memory.
+  // Assigning an empty array would keep the memory.
   const auto release = [](auto& array) { std::remove_reference_t<decltype(array)>().swap(array); };
   release(diagram.perimeter);
   release(diagram.second_moments);
@@ -243,7 +242,7 @@ double areaGap(std::span<const CellRecord> records, const Box& domain, int threa
 
 namespace vorpipe {
 
-/// Neumaier's summation: what an addition rounds off is added up apart.
+/// Neumaier's summation: sums separately what each addition rounds off.
 double areaSum(const Diagram& diagram) {
   double sum = 0, lost = 0;
   for (const double area : diagram.area) {

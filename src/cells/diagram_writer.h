@@ -6,11 +6,11 @@
 
 namespace vorpipe::core {
 
-/// Records for all input sites; those of sites without a cell of their own, duplicates, are written.
+/// Returns records for all input sites, filled in for duplicates, which have no cell of their own.
 BigVector<CellRecord> makeRecords(const Prepared& prepared, const Sites& sites);
 
-/// Gives the arrays that `detail` asks for their lengths, fills those that say what the records do, and
-/// counts the statuses.
+/// Resizes the arrays that `detail` requests, fills those that hold the content of the records, and counts
+/// the statuses.
 void takeRecords(std::span<const CellRecord> records, Detail detail, int threads, Diagram& diagram);
 
 /// Writes neighbors, and for more detail than measures the vertices, edge lengths, perimeters
@@ -18,11 +18,11 @@ void takeRecords(std::span<const CellRecord> records, Detail detail, int threads
 void writeEdges(const ProposedCells& proposed, const TiedCells& tied, Detail detail, const Unscale& unscale,
                 Diagram& diagram);
 
-/// Removes from a diagram what Detail::measures does not have.
+/// Removes from a diagram what Detail::measures does not include.
 void dropPolygons(Diagram& diagram);
 
-/// Bounds of areaGap: by rounding alone; and far above that of any diagram whose cells agree, so that more
-/// means an error.
+/// Bounds for areaGap: the most from rounding alone; and a value far above that of any diagram whose cells
+/// agree, so a larger gap means an error.
 inline constexpr double area_rounding = 1e-12, area_wrong = 1e-6;
 
 /// |sum of all areas - the domain's area| / the domain's area, with a compensated sum. 0 if the domain's area

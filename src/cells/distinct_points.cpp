@@ -20,8 +20,8 @@ std::size_t hash(const Point& point) {
   return bits ^ bits >> 32;
 }
 
-/// Positions by value. A table of open addresses: one allocation where a map of the standard library
-/// makes one for each of tens of millions of points.
+/// Indexes positions by value. Uses open addressing: one allocation, where a standard map makes one for each
+/// of tens of millions of points.
 class PointTable {
  public:
   PointTable(std::size_t most_points, std::vector<Point>& points)

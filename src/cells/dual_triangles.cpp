@@ -31,7 +31,7 @@ bool turnsLess(Point a, Point b) {
   return a_below != b_below ? b_below : a.x * b.y - a.y * b.x > 0;
 }
 
-/// Which vertices of tied cells are the meeting of just one triple.
+/// By vertex of tied cells: 1 if exactly one triple meets there.
 std::vector<std::uint8_t> plainVertices(const ProposedCells& agreed, const TiedCells& tied) {
   std::vector<std::uint8_t> plain(tied.position.size(), 1);
   std::vector<Triple> seen(tied.position.size());
@@ -48,8 +48,8 @@ std::vector<std::uint8_t> plainVertices(const ProposedCells& agreed, const TiedC
   return plain;
 }
 
-/// Orders sites counter-clockwise along their convex hull (Andrew's monotone chain). Returns false where a
-/// site is no corner of it.
+/// Orders sites counter-clockwise along their convex hull (Andrew's monotone chain). Returns false if a site
+/// is not a corner of it.
 bool sortAroundPolygon(const SiteSet& sites, std::vector<std::uint32_t>& around) {
   if (around.size() < 3) return true;
   const auto at = [&](std::uint32_t site) { return Point{sites.x[site], sites.y[site]}; };
@@ -97,8 +97,8 @@ bool cellsAround(const ProposedCells& agreed, const TiedCells& tied, std::size_t
   return true;
 }
 
-/// Whether the circle through three sites is about a vertex that ties make, give or take a few ties of the
-/// nearest two of them: that vertex may have ties that are much longer.
+/// Whether the center of the circle through three sites is at a vertex that ties make, within a few ties of
+/// the nearest two sites. That vertex may have much longer ties.
 bool isAbout(const SiteSet& sites, const std::array<std::uint32_t, 3>& cells, const AnchoredPoint& vertex) {
   constexpr double ties = 4;
   const auto way = [&](std::uint32_t a, std::uint32_t b) {
@@ -111,8 +111,8 @@ bool isAbout(const SiteSet& sites, const std::array<std::uint32_t, 3>& cells, co
          ties * shortest_edge * std::min({way(a, b), way(b, c), way(c, a)});
 }
 
-/// The Delaunay triangulation of the sites around a tie, whose polygon they are, in numbers of `around`. Most
-/// are four.
+/// The Delaunay triangulation of the sites around a tie, as indices in `around`. The sites are the corners of
+/// a convex polygon, usually four.
 std::vector<std::array<std::size_t, 3>> triangulated(const SiteSet& sites,
                                                      const std::vector<std::uint32_t>& around) {
   const auto at = [&](std::size_t k) {
@@ -140,9 +140,9 @@ std::vector<std::array<std::size_t, 3>> triangulated(const SiteSet& sites,
   return triangles;
 }
 
-/// Calls put(triangle) for the triangles that fill the polygon of the sites around a tie, as the
-/// triangulation of all sites has them. Returns false where that is not known: three of the sites lie on one
-/// line, or those of a triangle are as near to each other as ties of others are long.
+/// Calls put(triangle) for the triangles that fill the polygon of the sites around a tie, as in the
+/// triangulation of all sites. Returns false if that is unknown: three of the sites lie on one line, or those
+/// of a triangle are as near to each other as ties of others are long.
 template <class Put>
 bool forTriangulated(const SiteSet& sites, const std::vector<std::uint32_t>& around,
                      const AnchoredPoint& vertex, const Put& put) {
@@ -181,7 +181,7 @@ void forTriangles(const ProposedCells& agreed, const TiedCells& tied, const std:
   }
 }
 
-/// Appends what each of `count` numbers makes: make(i, put) calls put(triangle) for each of its triangles.
+/// Appends the triangles of each i below `count`: make(i, put) calls put(triangle) for each of them.
 template <class Make>
 void append(std::size_t count, int threads, Triangles& triangles, const Make& make) {
   std::vector<std::size_t> first((count + dual_triangles_grain - 1) / dual_triangles_grain + 1);
@@ -207,7 +207,7 @@ Triangles dualTriangles(const ProposedCells& agreed, const TiedCells& tied, Site
   if (mesh.isMade() && mesh.get() != nullptr) return allTriangles(mesh);
   const auto plain = plainVertices(agreed, tied);
   Triangles triangles;
-  // By Euler's formula there are no more, so that none has to move when others are added.
+  // By Euler's formula there are no more, so adding others never reallocates.
   triangles.reserve(2 * agreed.sites.size());
   append(agreed.sites.size(), agreed.threads, triangles,
          [&](std::size_t cell, const auto& put) { forTriangles(agreed, tied, plain, cell, put); });

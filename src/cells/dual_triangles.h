@@ -5,10 +5,10 @@
 
 namespace vorpipe::core {
 
-/// The Delaunay triangulation of all sites (input indices, counter-clockwise from the lowest), whatever the
-/// domain; empty if all lie on a line. Those of the mesh, if it is made. Else vertices inside the domain give
-/// their triangles; where more than three cells meet, the polygon of their sites is triangulated from its
-/// lowest index.
+/// Returns the Delaunay triangulation of all sites (input indices, counter-clockwise from the lowest),
+/// whatever the domain; empty if all lie on a line. Uses the mesh's triangles if it is made. Otherwise
+/// vertices inside the domain give their triangles; where more than three cells meet, the polygon of their
+/// sites is triangulated from its lowest index.
 Triangles dualTriangles(const ProposedCells& agreed, const TiedCells& tied, SiteMesh& mesh);
 
 }  // namespace vorpipe::core

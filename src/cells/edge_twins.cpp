@@ -21,8 +21,8 @@ class TwinFinder {
              std::vector<std::uint32_t>& twins)
       : diagram_(diagram), vertex_of_(vertex_of), twins_(twins) {}
 
-  /// Of a pair the cell with more edges looks through the list of the other: a cell with 100,000 neighbors
-  /// is not looked through by each of them. So each entry is written for one pair only.
+  /// Of a pair, the cell with more edges searches the other's list: its neighbors do not each search a cell
+  /// with 100,000 neighbors. So each entry is written for one pair only.
   void find(const Cell& cell) {
     for (auto entry = cell.begin(); entry < cell.end(); ++entry) {
       const std::int64_t neighbor = diagram_.neighbors[entry];

@@ -1,4 +1,4 @@
-/// Which edges of two cells are one.
+/// Pairs the two entries of each edge.
 #pragma once
 
 #include <cstdint>
@@ -14,9 +14,9 @@ inline constexpr std::uint32_t no_twin = ~std::uint32_t{0};
 /// The entry of the vertex at which an edge of a cell ends: the next one of its ring.
 std::uint64_t nextEntry(const Diagram& diagram, const Cell& cell, std::uint64_t entry);
 
-/// By entry: the same edge as the neighbor has it, or no_twin for an edge at a wall. Two cells have one edge
-/// in common, in a periodic domain one for each shift; but along an outline there may be several, which are
-/// told apart by the positions of their ends: by entry, `vertex_of`. Error (input): two cells do not have the
+/// Returns, by entry, the neighbor's entry for the same edge, or no_twin for an edge at a wall. Two cells
+/// share one edge, in a periodic domain one for each shift. Along an outline they may share several; the
+/// vertices at their ends (`vertex_of`, by entry) distinguish these. Error (input): two cells do not list the
 /// same edges with each other.
 Result<std::vector<std::uint32_t>> findTwins(const Diagram& diagram, std::span<const std::uint32_t> vertex_of,
                                              int threads);

@@ -10,8 +10,8 @@
 
 namespace vorpipe::core {
 
-/// A chain of ties could join vertices that are far apart; there only much shorter edges are ties. An edge is
-/// as fine as the finer of its two cells.
+/// How short ties are at each cell. A chain of ties could join vertices that are far apart; there only much
+/// shorter edges are ties. An edge is as fine as the finer of its two cells.
 class Fineness {
  public:
   /// Each step divides the length of ties by 64; after the last they are as short as rounding errors.
@@ -27,7 +27,7 @@ class Fineness {
     constexpr int step = 6;
     return std::ldexp(shortest_edge, -step * std::max(of(cell), there));
   }
-  /// One step finer around these cells; `count` is the number of all cells.
+  /// Makes ties one step finer around these cells; `count` is the number of all cells.
   void increase(const std::vector<std::uint32_t>& cells, std::size_t count) {
     if (by_cell_.empty()) by_cell_.assign(count, 0);
     for (const auto cell : cells) ++by_cell_[cell];

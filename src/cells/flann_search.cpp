@@ -12,10 +12,11 @@ namespace vorpipe::core {
 namespace {
 
 constexpr std::size_t flann_search_grain = 2048;
-/// FLANN compares squared distances that are rounded; a neighbor may come this much too late.
+/// FLANN compares rounded squared distances; relative to its distance, a neighbor may come this much too
+/// late.
 constexpr double rounding_slack = 1e-14;
 
-/// Coordinates as FLANN wants them, side by side.
+/// Interleaves coordinates, as FLANN expects them.
 std::vector<double> interleave(const SiteSet& sites) {
   std::vector<double> points(2 * sites.size());
   for (std::size_t i = 0; i < sites.size(); ++i) {

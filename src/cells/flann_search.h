@@ -12,14 +12,14 @@ class FlannSearch {
  public:
   /// Beyond this many, other ways to find a cell are cheaper.
   static constexpr int fewest_neighbors = 3, most_neighbors = 1024;
-  /// Fewer certify few cells, however even the sites are.
+  /// With fewer neighbors, few cells are certified, however even the sites are.
   static constexpr int usual_neighbors = 30;
 
   FlannSearch(const SiteSet& sites, int threads);  ///< `sites` must outlive this
   ~FlannSearch();
 
-  /// The k nearest neighbors of each of `which` (indices in the set). Where k covers all sites,
-  /// reach is infinite.
+  /// The k nearest neighbors of each of `which` (indices in the set). If k covers all sites, reach is
+  /// infinite.
   [[nodiscard]] Candidates neighbors(std::span<const std::uint32_t> which, std::size_t k) const;
 
  private:

@@ -12,12 +12,13 @@ namespace vorpipe::core {
 namespace {
 
 constexpr std::size_t hidden_cells_grain = 4096;
-/// More than twice what rounding can make of a sum of products of a square and two differences, as a part
-/// of what its terms add up to; and how small that may be.
+/// More than twice the rounding error of a sum of products of a square and two differences, relative to the
+/// sum of its terms' magnitudes; and the least such sum for which this holds.
 constexpr double relative_error = 4e-15;
 constexpr double least_sum = 1e-250;
 
-/// A half-plane, 2 (x, y) . p <= c, with p seen from the site of a cell; `size` is what c is the sum of.
+/// A half-plane, 2 (x, y) . p <= c, with p relative to the site of a cell; `size` is the sum of the
+/// magnitudes of c's terms.
 struct HalfPlane {
   double x, y, c, size;
   std::int32_t line;  ///< a site or a wall
@@ -35,8 +36,8 @@ Expansion<16> crossOf(const ExactHalfPlane& a, const ExactHalfPlane& b) { return
 
 double outward(std::int32_t wall) { return wall == wall_xmax || wall == wall_ymax ? 1 : -1; }
 
-/// What is left of a cell: the lines of its edges, counter-clockwise, from which all else follows. It has an
-/// area, and every edge a length.
+/// The remainder of a cell: the lines of its edges, counter-clockwise, which determine all else. Its area and
+/// the length of every edge are positive.
 class Remainder {
  public:
   explicit Remainder(const SiteSet& sites) : sites_(sites) {}
@@ -56,7 +57,7 @@ class Remainder {
   }
 
  private:
-  /// Cuts off what is beyond a line; false if nothing is left that has an area.
+  /// Cuts off the part beyond a line. Returns false if no area is left.
   bool cut(std::int32_t line) {
     const auto by = halfPlane(line);
     const auto count = edges_.size();
@@ -65,7 +66,7 @@ class Remainder {
       sides_[e] = sideOf(edges_[e > 0 ? e - 1 : count - 1], edges_[e], by);
     if (std::none_of(sides_.begin(), sides_.end(), [](int side) { return side < 0; })) return false;
     if (std::none_of(sides_.begin(), sides_.end(), [](int side) { return side > 0; })) return true;
-    // The vertices on or beyond the line follow each other.
+    // The vertices on or beyond the line are consecutive.
     std::size_t begin = 0;
     while (!(sides_[begin] >= 0 && sides_[begin > 0 ? begin - 1 : count - 1] < 0)) ++begin;
     std::rotate(edges_.begin(), edges_.begin() + static_cast<std::ptrdiff_t>(begin), edges_.end());
@@ -92,7 +93,7 @@ class Remainder {
     return {x, y, squared + weight_difference, squared + std::abs(weight_difference), line};
   }
 
-  /// Scaled, so that no product leaves a double's range.
+  /// The exact half-plane, scaled so that no product leaves a double's range.
   [[nodiscard]] ExactHalfPlane exactly(const HalfPlane& rounded) const {
     ExactHalfPlane exact;
     if (rounded.line < 0) {

@@ -7,12 +7,12 @@
 
 namespace vorpipe::core {
 
-/// Whether the bisectors of `cell` with the sites among `lines` leave nothing of the domain that has an area.
-/// Exact, but for coordinates of the range that predicates.h names; beyond it the answer is no.
+/// Whether the bisectors of `cell` with the sites among `lines` leave no part of the domain with positive
+/// area. Exact for coordinates in the range of predicates.h; returns false beyond it.
 bool leaveNothing(const SiteSet& sites, std::uint32_t cell, std::span<const std::int32_t> lines);
 
-/// Takes the lines from those cells of `which` that are empty in a set with weights; where they do not prove
-/// that, the cell becomes `open`.
+/// In a set with weights, removes the lines of those cells of `which` that are empty. A cell becomes `open`
+/// if its lines do not prove that it is empty.
 ///
 /// Neighbors cannot reveal a wrongly empty cell: both sides agree that it is absent. So emptiness has its own
 /// proof.

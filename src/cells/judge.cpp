@@ -17,7 +17,7 @@ namespace {
 /// a tree of all sites takes as long as the mesh.
 constexpr std::size_t sites_per_cell = 256, sites_per_weighted_cell = 64, sites_per_exact_cell = 2048;
 
-/// Of no more sites with weights the mesh is made for a single cell: where all of them nearly meet in a
+/// Up to this many sites with weights, the mesh is made even for a single cell: if all cells nearly meet in a
 /// point, that cell may take minutes with many digits.
 constexpr std::size_t few_weighted_sites = std::size_t{1} << 14;
 

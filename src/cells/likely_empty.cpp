@@ -12,7 +12,8 @@ namespace {
 
 constexpr std::size_t runs = 512;
 
-/// How far behind a site, at most, its bisectors with the next few sites lie, and theirs with it.
+/// The largest distance by which a bisector of a site with its next few sites, before or after it, lies
+/// behind the site.
 class Depths {
  public:
   explicit Depths(const SiteSet& sites) : sites_(sites) {}

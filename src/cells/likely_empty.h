@@ -1,4 +1,4 @@
-/// Sites that may have no cell, to look at before all others.
+/// Sites that may have no cell, to be checked before all others.
 #pragma once
 
 #include <cstdint>
@@ -8,9 +8,9 @@
 
 namespace vorpipe::core {
 
-/// Some hundred sites inside the domain, ascending: of each run of sites in the order of the set, which are
-/// near each other, the one whose bisector with one of the next few sites lies farthest behind it. None
-/// without weights.
+/// Returns some hundred sites inside the domain, ascending; none without weights. Consecutive sites in the
+/// set are near each other. From each run of them, takes the site whose bisector with one of the next few
+/// sites lies farthest behind it.
 std::vector<std::uint32_t> likelyEmpty(const SiteSet& sites, int threads);
 
 }  // namespace vorpipe::core

@@ -10,14 +10,14 @@ namespace vorpipe::core {
 /// All of it outlives the run.
 struct Machine {
   Backend& backend;  ///< of the device that the caller chose
-  ExactTier& exact;  ///< of this run alone, while it lasts
-  int threads;       ///< of the processor; 0 for all
+  ExactTier& exact;  ///< used by this run alone while it lasts
+  int threads;       ///< processor threads; 0 for all
   /// How often anything was uploaded to the device, by any run; null where that is not counted.
   const std::uint64_t* uploads = nullptr;
 };
 
-/// Says in a report which device did the work, which pipelines it needed, and what the validation layers
-/// said.
+/// Adds to a report the device that did the work, the pipelines it needed, and the messages of the validation
+/// layers.
 inline void nameDevice(Backend& backend, Report& report) {
   const auto& device = backend.info().device;
   report.backend = device.backend;

@@ -13,7 +13,7 @@
 namespace vorpipe::core {
 namespace {
 
-/// In a ring: the arc at infinity that closes an unbounded cell.
+/// The neighbor, in a ring, across the arc at infinity that closes an unbounded cell.
 constexpr std::int32_t infinity = -5;
 
 constexpr std::size_t none = 3;
@@ -27,11 +27,11 @@ std::size_t cornerOf(const MeshTriangle& triangle, std::int32_t site) {
 std::size_t next(std::size_t k) { return k == 2 ? 0 : k + 1; }
 
 constexpr std::size_t mesh_cells_grain = std::size_t{1} << 14;
-/// Neighbors of nearly all cells.
+/// Nearly all cells have at most this many neighbors.
 constexpr std::size_t most_neighbors = 32;
 
 /// By triangle of a mesh: the walls on or beyond which its power center lies, computed at the first use,
-/// unless floating point tells that there is none. Thread safe.
+/// unless floating point proves that there is none. Thread safe.
 class WallsOfTriangles {
  public:
   WallsOfTriangles(const SiteSet& sites, const PartMesh& part, int threads)
@@ -50,7 +50,7 @@ class WallsOfTriangles {
     return known;
   }
 
-  /// Whether it is known that there is none.
+  /// Whether it is known that there are none.
   [[nodiscard]] bool areNone(std::int32_t triangle) {
     return std::atomic_ref(walls_[static_cast<std::size_t>(triangle)]).load(std::memory_order_relaxed) == 0;
   }
@@ -58,8 +58,8 @@ class WallsOfTriangles {
  private:
   static constexpr std::uint8_t unknown = 255;
 
-  /// Which power centers surely lie inside the domain: by far more than rounding moves them, where the three
-  /// sites are no farther apart than some sides of the domain, and are no thin triangle.
+  /// Finds power centers that surely lie inside the domain, by far more than rounding moves them. The three
+  /// sites must be no farther apart than a few sides of the domain, and not form a thin triangle.
   class Inside {
    public:
     Inside(const SiteSet& sites, const PartMesh& part) : part_(part) {
@@ -128,7 +128,7 @@ class MeshCellFinder {
   struct Edge {
     std::int32_t neighbor;  ///< a site, a wall, or infinity
     std::uint8_t
-        reached;  ///< if this one and the one before are of sites: the walls on or beyond which it begins
+        reached;  ///< walls on or beyond which it begins; set if this neighbor and the one before are sites
   };
 
   [[nodiscard]] WeightedPoint at(std::int32_t point) const {
@@ -139,8 +139,8 @@ class MeshCellFinder {
     return point == ghost ? ghost : static_cast<std::int32_t>(part_.site[static_cast<std::size_t>(point)]);
   }
 
-  /// Appends the neighbors of a cell that is known to reach no wall; for another cell, or one with very many
-  /// neighbors, false and nothing.
+  /// Appends the neighbors of a cell that is known to reach no wall. Returns false and appends nothing for
+  /// other cells, and for cells with very many neighbors.
   bool isInside(BigVector<std::int32_t>& neighbors) {
     const auto size = neighbors.size();
     neighbors.resize(size + most_neighbors);
@@ -192,7 +192,7 @@ class MeshCellFinder {
     } while (t != first);
   }
 
-  /// Cuts off what is beyond a wall; false if nothing is left.
+  /// Cuts off the part beyond a wall. Returns false if nothing is left.
   bool cutAt(std::int32_t wall) {
     if ((reached_ & wallBit(wall)) == 0) return true;
     const auto count = ring_.size();
@@ -202,7 +202,7 @@ class MeshCellFinder {
     }
     const auto some = std::find(beyond_.begin(), beyond_.end(), 0);
     if (some == beyond_.end()) return false;
-    // The cell is convex, so that the vertices beyond follow each other.
+    // The cell is convex, so the vertices beyond are consecutive.
     std::rotate(ring_.begin(), ring_.begin() + (some - beyond_.begin()), ring_.end());
     std::rotate(beyond_.begin(), some, beyond_.end());
     const auto begin = std::find(beyond_.begin(), beyond_.end(), 1);
@@ -222,7 +222,7 @@ class MeshCellFinder {
     if (edge.neighbor == infinity) return isBeyondFar(wall, before.neighbor, 1);
     const auto other = std::max(before.neighbor, edge.neighbor);
     const auto crossed = std::min(before.neighbor, edge.neighbor);
-    // Between two walls is a corner of the domain; and the wall opposite is nowhere beyond this one.
+    // Two walls meet in a corner of the domain; and the opposite wall is nowhere beyond this one.
     if (other < 0 || isVerticalWall(crossed) == isVerticalWall(wall)) return false;
     return crossesBeyond(wall, crossed, other);
   }
@@ -236,7 +236,7 @@ class MeshCellFinder {
     const Point corner{wallCoordinate(sites_.domain, vertical), wallCoordinate(sites_.domain, level)};
     const int nearer = nearerOf(a, b, corner);
     const bool ahead = upright ? b.y > a.y : b.x > a.x;
-    // Where the corner is nearer to a, the bisector passes it on the side of b.
+    // If the corner is nearer to a, the bisector passes it on the side of b.
     const int passes = ahead ? -nearer : nearer;
     return outward(wall) * passes >= 0;
   }

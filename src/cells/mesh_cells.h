@@ -13,12 +13,13 @@ struct MeshCells {
   CellNeighbors cells;
 };
 
-/// The cells of the mesh's sites that are wanted, by index in the set: each once, in parts of any size.
+/// Returns the cells of the mesh's wanted sites (`is_wanted`, by index in the set): each once, in parts of
+/// any size.
 ///
-/// The neighbors of a site in the mesh are the edges of its cell, its triangles the vertices. Clipping to the
-/// domain is exact as well, with the domain perturbed inward by an infinitesimal: what lies on a wall counts
-/// as beyond it. So all cells of a mesh agree, in every tie. An empty cell of a site with weights has as
-/// neighbors those sites that prove it empty.
+/// A site's neighbors in the mesh give the edges of its cell, its triangles the vertices. Clipping to the
+/// domain is exact as well. It perturbs the domain inward by an infinitesimal: a point on a wall counts as
+/// beyond it. So all cells of a mesh agree, in every tie. The neighbors listed for an empty cell, with
+/// weights, are the sites that prove it empty.
 std::vector<MeshCells> meshCells(const SiteSet& sites, const PartMesh& part,
                                  std::span<const std::uint8_t> is_wanted, int threads);
 

@@ -37,7 +37,7 @@ void NeighborRows::add(std::span<const std::uint32_t> which, CellNeighbors found
   parts_.push_back(std::move(found.neighbor));
 }
 
-/// Moves the rows at the end of a part to where enough numbers follow.
+/// Copies the rows at the end of a part to memory where enough numbers follow.
 void NeighborRows::makeReadable(std::span<const std::uint32_t> which, const CellNeighbors& found) {
   const auto& numbers = found.neighbor;
   auto e = which.size();

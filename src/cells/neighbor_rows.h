@@ -1,4 +1,4 @@
-/// The neighbors of cells, cell by cell, wherever they were found.
+/// The neighbors of each cell, whatever found them.
 #pragma once
 
 #include <array>
@@ -12,13 +12,13 @@ inline bool isDone(CellStatus status) {
 }
 
 /// The rows of cells 0 to size() - 1, added in any order and in parts of any size: the edges of a cell,
-/// counter-clockwise, each by the neighbor on its other side. Rows stay where their part has them; only the
-/// last answer for a cell can be seen.
+/// counter-clockwise, each by the neighbor on its other side. Rows stay in the memory of the part that added
+/// them; only the last row added for a cell is visible.
 class NeighborRows {
  public:
-  /// What was never added is `missing` and has no edges.
+  /// A cell that was never added is `missing` and has no edges.
   explicit NeighborRows(std::size_t cells, int threads);
-  // The rows of a copy would be in the memory of another.
+  // A copy's rows would point into the original's memory.
   NeighborRows(const NeighborRows&) = delete;
   NeighborRows(NeighborRows&&) = default;
   NeighborRows& operator=(const NeighborRows&) = delete;
@@ -28,7 +28,7 @@ class NeighborRows {
   [[nodiscard]] std::size_t size() const { return rows_.size(); }
   [[nodiscard]] CellStatus status(std::size_t cell) const { return rows_[cell].status; }
 
-  /// As many numbers can be read from where a row begins, even if it is shorter.
+  /// This many numbers can be read from the start of a row, even if it is shorter.
   static constexpr std::size_t readable = 8;
   [[nodiscard]] std::span<const std::int32_t> edges(std::size_t cell) const {
     return {rows_[cell].edges, rows_[cell].count};
@@ -38,12 +38,12 @@ class NeighborRows {
   void add(std::span<const std::uint32_t> which, CellNeighbors found);
   void add(std::span<const std::uint32_t> which, NeighborRows found);
 
-  /// Takes its edges from a cell; different cells may lose theirs at the same time.
+  /// Removes the edges of a cell. Threads may do this for different cells at the same time.
   void drop(std::size_t cell, CellStatus status) { rows_[cell] = {nothing.data(), 0, status}; }
 
-  /// Cells with more edges than these are few, and remembered.
+  /// Cells with more edges than this are few; large() returns them.
   static constexpr std::size_t usual_edges = 64;
-  /// Those, ascending.
+  /// Those cells, ascending.
   [[nodiscard]] std::vector<std::uint32_t> large() const;
 
  private:
@@ -58,7 +58,7 @@ class NeighborRows {
 
   BigVector<Row> rows_;
   std::vector<BigVector<std::int32_t>> parts_;
-  std::vector<std::uint32_t> large_;  ///< with some that were
+  std::vector<std::uint32_t> large_;  ///< and some that once were
   int threads_;
 };
 

@@ -16,8 +16,8 @@ namespace vorpipe::core {
 
 namespace {
 
-/// Whether sites were rounded to a lattice that is so coarse that some of them coincide. Floats decide ties
-/// between cells one by one; where only some are ties, most of that is in dispute afterwards.
+/// Whether sites were rounded to a lattice so coarse that some coincide. Floats decide ties cell by cell;
+/// where only some are ties, most of these decisions are disputed afterwards.
 bool areSnapped(const SiteSet& sites) {
   constexpr std::size_t few = 200;
   const std::size_t given = *std::ranges::max_element(sites.id) + std::size_t{1};
@@ -45,16 +45,16 @@ bool findAllInMesh(const SearchInput& input, NeighborRows& rows) {
 
 namespace {
 
-/// Whether to end where a site has no cell.
+/// Whether to end as soon as a site has no cell.
 enum class AtEmpty : std::uint8_t { go_on, end };
 
-/// Asks the device, and keeps what it finds.
+/// Asks the device, and keeps the cells that it finds.
 class DeviceSearch {
  public:
   DeviceSearch(const SearchInput& input, AtEmpty at_empty, NeighborRows& rows)
       : input_(input), may_end_(at_empty == AtEmpty::end && !input.sites.weight.empty()), rows_(rows) {}
 
-  /// Whether an error of the functions below is that a site has no cell.
+  /// Whether the functions below returned an error because a site has no cell.
   [[nodiscard]] bool ended() const { return ended_; }
 
   Result<void> byGrid(const Tile& tile, std::span<const std::uint32_t> which, Effort effort,
@@ -81,14 +81,14 @@ class DeviceSearch {
     return {};
   }
 
-  /// Clips with the most room whatever the effort, and turns places in lists into sites.
+  /// Clips with the most room whatever the effort, and converts positions in lists to sites.
   Result<void> byLists(const Candidates& candidates, std::span<CellStatus> status) {
     const Stopwatch watch;
     packBatch(input_.sites, candidates, 0, candidates.site.size(), input_.threads, batch_);
     pack_seconds_ += watch.seconds();
     CellNeighbors found;
     VORPIPE_TRY(askCells(input_.backend, batch_, input_.threads, found));
-    // There is no more room than that.
+    // No larger room is available.
     std::ranges::replace_copy(found.status, status.begin(), CellStatus::overflow, CellStatus::open);
     for (std::size_t e = 0; e < candidates.site.size(); ++e) {
       renumber(found, e, [&](std::uint32_t line) { return candidates.index[candidates.offsets[e] + line]; });
@@ -102,7 +102,8 @@ class DeviceSearch {
  private:
   static constexpr std::size_t grain = std::size_t{1} << 16;
 
-  /// Before the first cells, where all sites are one tile: one that has none is found early then.
+  /// Tries likely empty cells before all others, if all sites are one tile: this finds a site without a cell
+  /// early.
   Result<void> lookAtLikely(const Tile& tile) {
     if (!may_end_ || has_looked_ || !tile.whole.empty()) return {};
     has_looked_ = true;

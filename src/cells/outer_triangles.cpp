@@ -25,8 +25,8 @@ Triangles::value_type named(const SiteSet& sites, const MeshTriangle& t, const S
 
 using Edge = std::pair<std::int32_t, std::int32_t>;
 
-/// Whether a cell does not lie inside the domain with all of its vertices. A triangle whose center is
-/// not inside the domain has three such sites: their cells, were they not clipped, would reach that center.
+/// Whether some vertex of a cell is not inside the domain. This holds for all three sites of a triangle whose
+/// center is not inside the domain: without clipping, their cells would reach that center.
 bool isOpen(const ProposedCells& agreed, const TiedCells& tied, std::size_t cell) {
   const auto row = agreed.cells.edges(cell);
   if (row.empty() || std::any_of(row.begin(), row.end(), [](auto n) { return n < 0; })) return true;
@@ -57,8 +57,8 @@ class OuterMesh {
         std::count_if(mesh_.begin(), mesh_.end(), [](const auto& t) { return isOutside(t); }));
   }
 
-  /// Appends the triangles between the hull and those that are known, which lie to the left of `known`
-  /// edges; these are given in numbers of cells_, sorted.
+  /// Appends the triangles between the hull and the known ones. The known triangles lie to the left of the
+  /// `known` edges, which are sorted pairs of indices in cells_.
   void appendBeyond(const std::vector<Edge>& known, Triangles& triangles) const {
     std::vector<std::uint8_t> reached(mesh_.size());
     std::vector<std::size_t> open;
@@ -115,8 +115,8 @@ std::vector<Edge> knownEdges(const OuterMesh& mesh, const Triangles& triangles) 
   return known;
 }
 
-/// How many sites triangles should have for corners: all, or with weights those that they do have, and none
-/// if one with a cell is missing.
+/// The number of sites that should be corners of triangles: all of them. With weights, those that are
+/// corners, or 0 if a site with a cell is missing.
 std::size_t cornersOf(const ProposedCells& agreed, const Triangles& triangles) {
   const auto& sites = agreed.sites;
   if (sites.weight.empty()) return sites.size();
@@ -163,7 +163,7 @@ Triangles allTriangles(SiteMesh& mesh) {
     std::sort(triangles.begin(), triangles.end());
     return triangles;
   }
-  // On one line, or beyond what a SiteMesh has exact cells for.
+  // The sites lie on one line, or beyond the range of a SiteMesh.
   std::vector<std::uint32_t> all(sites.size());
   std::iota(all.begin(), all.end(), 0u);
   OuterMesh(sites, std::move(all)).appendBeyond({}, triangles);

@@ -14,13 +14,13 @@
 namespace vorpipe::core {
 namespace {
 
-/// The precision that each disputed cell was found with last.
+/// The precision with which each disputed cell was found last.
 class Precisions {
  public:
   explicit Precisions(std::size_t cells) : cells_(cells) {}
 
-  /// The cells among `disputed` to find again, and how: in double where that has not been tried yet, else
-  /// exactly. Both sides of a dispute are among them, so that one of them has something left to try.
+  /// Returns the cells among `disputed` to find again, and how: in double if that is untried, else exactly.
+  /// Both sides of a dispute are among them, so one of them has something left to try.
   std::pair<std::vector<std::uint32_t>, Precision> next(const std::vector<std::uint32_t>& disputed) {
     for (const auto precision : {Precision::in_double, Precision::exact}) {
       auto which = notYet(disputed, precision);
@@ -29,7 +29,7 @@ class Precisions {
     return {{}, Precision::exact};
   }
 
-  /// Those among `cells` to be found exactly.
+  /// Returns those of `cells` to be found exactly.
   std::vector<std::uint32_t> notExact(const std::vector<std::uint32_t>& cells) {
     return notYet(cells, Precision::exact);
   }
@@ -37,7 +37,7 @@ class Precisions {
  private:
   enum class Last : std::uint8_t { by_device, in_double, exact };
 
-  /// Those that have not been found with that much precision; from now on they have.
+  /// Returns the cells not yet found with this precision, and notes them as found with it.
   std::vector<std::uint32_t> notYet(const std::vector<std::uint32_t>& cells, Precision precision) {
     std::vector<std::uint32_t> which;
     if (cells.empty()) return which;
@@ -73,7 +73,7 @@ void sortUnique(std::vector<std::uint32_t>& cells) {
   cells.erase(std::unique(cells.begin(), cells.end()), cells.end());
 }
 
-/// Those of the disputed cells that are certified, although their neighbors leave nothing of them.
+/// The disputed cells that are certified although their neighbors leave nothing of them.
 std::vector<std::uint32_t> cellsWithoutArea(const SiteSet& sites, const NeighborRows& rows,
                                             const std::vector<std::uint32_t>& disputed) {
   std::vector<std::uint32_t> cells;
@@ -98,8 +98,8 @@ std::vector<std::uint32_t> cellsOfTies(const ProposedCells& proposed, const Tied
   return cells;
 }
 
-/// The next cells to find again, and how. Where all disputed cells are exact already, a cell beside them must
-/// be wrong that agrees with both sides: tries the rings of cells around them, one after the other.
+/// The next cells to find again, and how. If all disputed cells are exact already, a cell beside them that
+/// agrees with both sides must be wrong. Then tries the rings of cells around them, one after the other.
 std::pair<std::vector<std::uint32_t>, Precision> nextAround(const NeighborRows& rows,
                                                             std::vector<std::uint32_t> disputed,
                                                             Precisions& precisions) {
@@ -115,7 +115,7 @@ std::pair<std::vector<std::uint32_t>, Precision> nextAround(const NeighborRows& 
   return next;
 }
 
-/// Checks cells, and has those in dispute found again, until there are none.
+/// Checks cells and finds disputed ones again, until there are none.
 class Reconciliation {
  public:
   Reconciliation(const SearchInput& input, NeighborRows& rows, const Records& records, Report& report)
@@ -151,16 +151,16 @@ class Reconciliation {
   }
 
  private:
-  /// Fallbacks where the judge has nothing left to try. mesh: all cells from the triangulation, which agree.
-  /// ties: edges still in dispute become ties; correct cells may disagree where ties join more than they
-  /// should.
+  /// Fallbacks if the judge has nothing left to try. mesh: all cells come from the triangulation, and so
+  /// agree. ties: edges still in dispute become ties; correct cells may disagree where ties join more than
+  /// they should.
   enum class Resort : std::uint8_t { judge, mesh, ties };
 
   /// Break-even between exact cells, which take up to a second each where many bisectors nearly meet in a
   /// point, and the mesh of all sites.
   static constexpr std::size_t most_exact = 64;
 
-  /// Changes cells that are in dispute or not sure enough; true if there are none.
+  /// Changes cells that are disputed or not sure enough. Returns true if there are none.
   Result<bool> mend(const ProposedCells& proposed, const TiedCells& tied) {
     for (const auto cell : tied.enclosed) suspect_[cell] = 1;
     if (!tied.enclosed.empty()) return false;
@@ -178,8 +178,8 @@ class Reconciliation {
     return takeResort(doubtful);
   }
 
-  /// Makes ties finer where they make vertices wide; true where no vertex is. Decides it on exact cells, and
-  /// likewise which edges at walls count: then results do not depend on the backend.
+  /// Makes ties finer where they make vertices wide. Returns true if no vertex is wide. Decides this, and
+  /// which edges at walls count, on exact cells: then results do not depend on the backend.
   Result<bool> narrow(const TiedCells& tied) {
     if (resort_ == Resort::judge) {
       const auto which = precisions_.notExact(tied.unsure);
@@ -190,7 +190,7 @@ class Reconciliation {
     return tied.wide.empty();
   }
 
-  /// Drops those cells that have no area after all.
+  /// Drops cells that have no area after all. Returns whether there were any.
   bool dropVanished(const std::vector<std::uint32_t>& doubtful) {
     const auto vanished = cellsWithoutArea(sites_, rows_, doubtful);
     addWithNeighbors(rows_, vanished, changed_);
@@ -199,8 +199,8 @@ class Reconciliation {
     return !vanished.empty();
   }
 
-  /// Finds the cells `which` again. Their neighbors, before and after, are checked again too: an edge is only
-  /// right if both of its cells have it.
+  /// Finds the cells `which` again. Their neighbors, old and new, are checked again too: an edge is right
+  /// only if both of its cells have it.
   Result<bool> find(const std::vector<std::uint32_t>& which, Precision precision) {
     addWithNeighbors(rows_, which, changed_);
     VORPIPE_TRY(findAgain(input_, which, precision, rows_));

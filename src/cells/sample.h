@@ -1,4 +1,4 @@
-/// Cells tried first, that tell what a device makes of the others.
+/// Cells tried first, to predict how a device does on the others.
 #pragma once
 
 #include <algorithm>
@@ -24,16 +24,17 @@ struct Sample {
     }
   }
 
-  /// How many of the rest will fail if `failed` of the sample did: rather too few.
+  /// Estimates, rather too low, how many of the rest will fail if `failed` of the sample did.
   [[nodiscard]] std::size_t expected(std::size_t failed) const {
     return failed * rest.size() / cells.size() / 2;
   }
 
-  /// Whether so few of the rest will do that the judge finds all of them sooner than a device tries them.
+  /// Whether so few of the rest will succeed that the judge finds all of them sooner than a device tries
+  /// them.
   [[nodiscard]] bool isHopeless(std::size_t failed) const { return 4 * failed > 3 * cells.size(); }
 
-  /// Whether weights hide so many, if they hide `hidden` of the sample, that a triangulation of all sites is
-  /// made sooner: it drops a hidden site at once, where a device must look far around it for a heavier one.
+  /// Whether weights hide so many sites, given `hidden` in the sample, that triangulating all sites is
+  /// faster. A triangulation drops a hidden site at once; a device must look far around it for a heavier one.
   [[nodiscard]] bool areMostlyHidden(std::size_t hidden) const { return 3 * hidden > cells.size(); }
 };
 

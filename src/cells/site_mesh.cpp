@@ -13,11 +13,11 @@
 namespace vorpipe::core {
 namespace {
 
-/// Two triangles for each site are numbered by 32 bits with a sign.
+/// Signed 32-bit integers number the triangles, two for each site.
 constexpr std::size_t most_mesh_sites = std::size_t{1} << 29;
 
-/// Whether coordinates and their differences are in the range of predicates.h: those up to 2^240 are
-/// multiples of 2^-200, and of larger ones two differ by at least 2^-53 of the smaller.
+/// Whether coordinates and their differences are in the range of predicates.h: coordinates up to 2^240 are
+/// multiples of 2^-200, and two larger ones differ by at least 2^-53 of the smaller.
 bool isInRange(const SiteSet& sites) {
   double least = std::numeric_limits<double>::infinity(), most = 0;
   const auto look = [&](double coordinate) {

@@ -11,7 +11,7 @@ namespace vorpipe::core {
 
 /// A triangulation of some sites of a set.
 struct PartMesh {
-  std::vector<std::uint32_t> site;  ///< by point of the mesh, along a curve: which of the set's it is
+  std::vector<std::uint32_t> site;  ///< by point of the mesh, along a curve: its index in the set
   std::vector<Point> points;
   std::vector<double> weights;  ///< empty, or by point
   Mesh mesh;                    ///< empty where all points lie on a line
@@ -21,10 +21,10 @@ struct PartMesh {
 /// are not too many.
 bool canTriangulate(const SiteSet& sites);
 
-/// Triangulates the sites `which`, in any order, of a set that can be.
+/// Triangulates the sites `which`, in any order; canTriangulate must hold for the set.
 PartMesh triangulate(const SiteSet& sites, std::vector<std::uint32_t> which, int threads);
 
-/// Triangulates the sites of a set when it is first asked to. The set outlives it.
+/// Triangulates the sites of a set at the first request. The set outlives it.
 class SiteMesh {
  public:
   SiteMesh(const SiteSet& sites, int threads) : sites_(sites), threads_(threads) {}
@@ -34,14 +34,14 @@ class SiteMesh {
   [[nodiscard]] bool isPossible();
   [[nodiscard]] bool isMade() const { return mesh_.has_value(); }
 
-  /// The mesh of all sites; or null.
+  /// Returns the mesh of all sites, or null.
   const PartMesh* get();
 
  private:
   const SiteSet& sites_;
   int threads_;
   std::optional<bool> possible_;
-  std::optional<PartMesh> mesh_;  ///< once it was asked for; without triangles if `sites_` has no mesh
+  std::optional<PartMesh> mesh_;  ///< set at the first request; without triangles if `sites_` has no mesh
 };
 
 }  // namespace vorpipe::core

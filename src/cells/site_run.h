@@ -1,4 +1,4 @@
-/// The sites of a run, prepared once, and what was found out about them: cells and pictures share it.
+/// The sites of a run, prepared once, and the results so far about them. Cells and pictures share it.
 #pragma once
 
 #include <memory>
@@ -19,12 +19,11 @@ struct SiteRun {
   Prepared prepared;
   SiteMesh mesh;
   Judge judge;
-  /// Of all sites, by index in the set, once all of them are found and agree.
+  /// The cells of all sites, by index in the set, once all are found and agree.
   std::optional<NeighborRows> cells{};
 };
 
-/// Prepares sites for a machine. Errors: those of prepare, which name the sites of `callers` if there are
-/// any.
+/// Prepares sites for a machine. Errors: those of prepare, which name the sites of `callers` if given.
 inline Result<std::unique_ptr<SiteRun>> beginRun(const Machine& machine, const Sites& sites,
                                                  const Box& domain, const CallersSites* callers = nullptr) {
   auto prepared = prepare(sites, domain, machine.threads, callers);

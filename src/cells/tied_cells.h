@@ -19,11 +19,11 @@ struct TiedCells {
   std::vector<AnchoredPoint> position;  ///< of each vertex
   std::vector<std::uint8_t> walls;      ///< of each vertex; 0: it lies on no wall
   std::vector<std::uint32_t> around_offsets,
-      around;                           ///< the tied cells of each vertex, as often as they meet it
+      around;  ///< the tied cells of each vertex, repeated if they meet it repeatedly
   std::vector<std::uint32_t> disputed;  ///< cells with a dispute that no tie explains, ascending; if there
                                         ///< are none, all of this is right
-  std::vector<std::uint32_t> enclosed;  ///< cells to be tied as well, since ties enclose them, ascending
-  std::vector<std::uint32_t> unsure;    ///< cells to be exact for all of this to be right, ascending
+  std::vector<std::uint32_t> enclosed;  ///< cells to tie as well because ties enclose them, ascending
+  std::vector<std::uint32_t> unsure;    ///< cells that must be exact for all of this to be right, ascending
   std::vector<std::uint32_t> wide;      ///< cells that need finer ties, if all are exact, ascending
 
   static constexpr std::uint32_t not_tied = ~std::uint32_t{0};
@@ -33,9 +33,9 @@ struct TiedCells {
   }
 };
 
-/// The edges of tied cell k that are no ties: their indices, beginning with that of the smallest neighbor. A
-/// corner after which only ties follow is left out, so that each vertex stands once and begins the edge that
-/// it stands with.
+/// Stores in `edges` the indices of those edges of tied cell k that are not ties, beginning with the smallest
+/// neighbor's. Corners that begin ties are omitted, so each vertex appears once, with the edge that it
+/// begins.
 void keptEdges(const ProposedCells& proposed, const TiedCells& tied, std::size_t k,
                std::vector<std::uint32_t>& edges);
 

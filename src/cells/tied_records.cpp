@@ -10,7 +10,7 @@ namespace {
 constexpr std::size_t tied_records_grain = 1024;
 
 /// The centroid of a cell, relative to its origin, clamped to the domain: ties may reach slightly beyond a
-/// wall, and a cell that only touches the domain far beyond it.
+/// wall, and a cell that only touches the domain may reach far beyond it.
 Point centroidInDomain(const SiteSet& sites, Point origin, Point centroid) {
   const Box& domain = sites.domain;
   return {std::clamp(centroid.x, domain.xmin - origin.x, domain.xmax - origin.x),

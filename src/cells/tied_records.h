@@ -11,7 +11,8 @@ namespace vorpipe::core {
 Measures recordMeasures(const SiteSet& sites, std::uint32_t cell, std::size_t edges,
                         std::span<const AnchoredPoint> corners, const Records& records);
 
-/// Completes the records of the tied cells, none of which is disputed, by what ties left of their edges.
+/// Completes the records of the tied cells with the number of edges that ties leave. None of the cells is
+/// disputed.
 void recordTiedCells(const ProposedCells& proposed, const TiedCells& tied, const Records& records);
 
 }  // namespace vorpipe::core

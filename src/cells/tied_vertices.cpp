@@ -100,7 +100,7 @@ class VertexBuilder {
     });
   }
 
-  /// Puts vertices that have no place yet at their roots; lists the cells at walls.
+  /// Places vertices that have no position yet at their root corners; lists the cells at walls.
   void placeRoots() {
     at_wall_.resize((tied_.cell.size() + tied_vertices_grain - 1) / tied_vertices_grain);
     forEntries([&](std::size_t k) {
@@ -117,9 +117,9 @@ class VertexBuilder {
     });
   }
 
-  /// Puts vertices of three and more tied cells at the center of three sites: that of the lowest input index,
-  /// the one farthest from it, and the one farthest from the line through both. Where the three are nearly
-  /// collinear, the vertex gets no place.
+  /// Places vertices of three or more tied cells at the center of three sites: that of the lowest input
+  /// index, the one farthest from it, and the one farthest from the line through both. If the three are
+  /// nearly collinear, the vertex gets no position.
   void placeInside() {
     parallelFor(tied_.position.size(), tied_vertices_grain, proposed_.threads,
                 [&](std::size_t begin, std::size_t end) {
@@ -133,8 +133,8 @@ class VertexBuilder {
                 });
   }
 
-  /// Whether three sites are so nearly collinear that their power center is far less precise than that of
-  /// other sites at the vertex may be; with weights alone.
+  /// Whether three sites are so nearly collinear that their power center may be far less precise than that of
+  /// other sites at the vertex. Only with weights.
   static bool isFlat(Point line, Point to_third) {
     constexpr double share = 1e-3;
     return std::abs(line.x * to_third.y - line.y * to_third.x) <= share * (line.x * line.x + line.y * line.y);
@@ -189,9 +189,9 @@ class VertexBuilder {
     }
   }
 
-  /// Where the bisector of two cells at a vertex crosses a wall: of that with the lowest input index and the
-  /// one farthest from it along the wall, which crosses it most steeply. Clamped to the domain, since near a
-  /// corner of the domain the crossing may lie outside.
+  /// Where the bisector of two cells at a vertex crosses a wall. The cells are that of the lowest input index
+  /// and the one farthest from it along the wall, whose bisector crosses most steeply. Clamped to the domain,
+  /// since near a corner of the domain the crossing may lie outside.
   [[nodiscard]] AnchoredPoint placeOnWall(std::size_t k, std::size_t e, std::int32_t wall) const {
     const auto row = rowOf(k);
     const auto vertex = tied_.vertex[tied_.offsets[k] + e];

@@ -7,7 +7,7 @@
 namespace vorpipe::core {
 
 /// Makes one vertex of each set of corners: numbers the vertices, lists the cells around each, and computes
-/// their positions, as resolveTies says.
+/// their positions, as documented at resolveTies.
 void makeVertices(const ProposedCells& proposed, DisjointSets& corners, TiedCells& tied);
 
 }  // namespace vorpipe::core

@@ -23,10 +23,10 @@ namespace vorpipe::core {
 namespace {
 
 constexpr std::size_t ties_grain = 1024, placed_grain = 4096;
-/// Relative to a cell's size: a longer tie may hide that the cell is wrong in double. Its sites are then far
-/// away, and the differences of their weights so large that cancellation spoils its corners.
+/// Relative to a cell's size: a longer tie may hide an error of the cell in double. The sites are then far
+/// away, and their weight differences so large that cancellation spoils the corners.
 constexpr double much_of_a_cell = 1e-4;
-/// In ties: no chain of ties is as long.
+/// In ties; no chain of ties is this long.
 constexpr double collapsed_ties = 1024;
 
 class TieResolver {
@@ -125,7 +125,7 @@ class TieResolver {
   /// Whether a cell is so flat that only exact arithmetic decides whether it has an area.
   static bool isFlat(const Measures& m) { return !(m.area > 1e-6 * m.perimeter * m.perimeter); }
 
-  /// Between half the diameter of the corners and the diameter.
+  /// A value between half the diameter of the corners and the diameter.
   static double sizeOf(std::span<const AnchoredPoint> corners) {
     double size = 0;
     for (const AnchoredPoint& corner : corners)
@@ -141,7 +141,7 @@ class TieResolver {
   }
   void dispute(std::int32_t cell) { mark(cell, disputed_); }
 
-  /// All cells that meet at edge e.
+  /// Marks all cells that meet at edge e.
   void markAround(std::size_t cell, std::span<const std::int32_t> row, std::size_t e,
                   std::vector<std::uint8_t>& marks) {
     mark(static_cast<std::int32_t>(cell), marks);
@@ -178,7 +178,7 @@ class TieResolver {
     }
   }
 
-  /// Whether an edge is one between sites that is far from a tie.
+  /// Whether an edge lies between sites and is far from a tie.
   [[nodiscard]] bool isLong(std::size_t cell, std::int32_t neighbor, const AnchoredPoint& begin,
                             const AnchoredPoint& end) const {
     if (neighbor < 0) return false;
@@ -187,7 +187,8 @@ class TieResolver {
     return isFarFromATie(sites_.x[other] - sites_.x[cell], sites_.y[other] - sites_.y[cell], way.x, way.y);
   }
 
-  /// Settles an edge that is no tie, if both cells have it with the same sites at its ends.
+  /// Settles an edge as not a tie, if both cells have it with the same sites at its ends. Otherwise returns
+  /// false.
   bool joinAlike(std::size_t k, std::span<const std::int32_t> row, std::size_t e) {
     const auto cell = tied_.cell[k];
     const auto other = static_cast<std::size_t>(row[e]);
@@ -207,7 +208,7 @@ class TieResolver {
     return true;
   }
 
-  /// Ties that were no ties may have joined both ends of an edge that is far longer than one.
+  /// Disputes edges far longer than a tie whose ends are joined, which wrong ties may cause.
   void findCollapsed(std::size_t k) {
     const auto cell = tied_.cell[k];
     if (isRightlyEmpty(sites_, cells_, cell)) return;
@@ -234,8 +235,8 @@ class TieResolver {
     return static_cast<std::uint32_t>(tied_.offsets[k] + e);
   }
 
-  /// The ends of an edge are the same in both cells; but a cell that is not tied has no ties to pass on.
-  /// Cells that name different sites at its ends compare where they see it, the lower one for both.
+  /// Joins the ends of an edge in both cells; a cell that is not tied has no ties to pass on. If the cells
+  /// name different sites at the ends, the lower one compares both computed edges.
   void joinAcross(std::size_t k, std::span<const std::int32_t> row, std::size_t e, const Seen& here) {
     const auto cell = tied_.cell[k];
     const auto other = static_cast<std::size_t>(row[e]);
@@ -256,7 +257,7 @@ class TieResolver {
       markAround(cell, row, e, unsure_);
       markAround(other, other_row, back, unsure_);
     }
-    // A cell that is not tied has passed its check, and with it this edge.
+    // A cell that is not tied has passed its check, and so has this edge.
     if (other_k == TiedCells::not_tied || other < cell) return;
     sets_.join(cornerNumber(k, e), cornerNumber(other_k, back_end));
     sets_.join(cornerNumber(k, after(row, e)), cornerNumber(other_k, back));
@@ -294,8 +295,8 @@ class TieResolver {
     dispute(neighbor);
   }
 
-  /// Whether an edge, whose cells name different sites at its ends, is a tie. Disputes it where they disagree
-  /// about that, or where it is none and its ends are farther apart than the slack.
+  /// Whether an edge, whose cells name different sites at its ends, is a tie. Disputes it if the cells
+  /// disagree about that, or if it is not a tie and its ends differ by more than the slack.
   bool compare(std::size_t cell, std::int32_t neighbor, const Seen& here, const Seen& there) {
     if (here.span.isTie() != there.span.isTie()) disputeBoth(cell, neighbor);
     if (here.span.isTie() || there.span.isTie()) return true;
@@ -320,7 +321,7 @@ class TieResolver {
   std::vector<std::uint8_t> disputed_, unsure_;  ///< by tied cell
 };
 
-/// The first cell from `begin` on that is marked with 1; suspect.size() without one.
+/// The first cell from `begin` on that is marked with 1; suspect.size() if there is none.
 std::size_t nextMarked(std::span<const std::uint8_t> suspect, std::size_t begin) {
   const auto* found =
       begin < suspect.size() ? std::memchr(&suspect[begin], 1, suspect.size() - begin) : nullptr;

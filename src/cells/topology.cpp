@@ -20,8 +20,8 @@ Result<void> checkArrays(const Diagram& diagram) {
                         diagram.neighbors.size(), diagram.vertices.size())});
 }
 
-/// Makes the vertices of a periodic domain that are copies of each other one: the ends of each edge, as its
-/// two cells have them.
+/// Merges vertices of a periodic domain that are copies of each other: the ends of each edge in its two
+/// cells.
 void joinCopies(const Diagram& diagram, const std::vector<std::uint32_t>& twins, Topology& topology) {
   auto& vertex_of = topology.vertex_of;
   DisjointSets copies(topology.vertices.size());
@@ -33,7 +33,7 @@ void joinCopies(const Diagram& diagram, const std::vector<std::uint32_t>& twins,
       copies.join(vertex_of[entry], vertex_of[nextEntry(diagram, other, twin)]);
     }
   }
-  // The root is the first of the copies, so that it has its new number before the others come.
+  // The root is the first of the copies, so it gets its new number before the others need it.
   std::vector<std::uint32_t> renumbered(topology.vertices.size());
   std::uint32_t count = 0;
   for (std::uint32_t v = 0; v < renumbered.size(); ++v) {
@@ -45,7 +45,7 @@ void joinCopies(const Diagram& diagram, const std::vector<std::uint32_t>& twins,
   for (auto& vertex : vertex_of) vertex = renumbered[vertex];
 }
 
-/// `edge_of` has the twin of each entry, and gets its edge.
+/// On entry, `edge_of` holds the twin of each entry; replaces it by the entry's edge.
 void numberEdges(const Diagram& diagram, Topology& topology) {
   auto& edge_of = topology.edge_of;
   std::size_t count = 0;

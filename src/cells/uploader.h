@@ -9,10 +9,9 @@ namespace vorpipe::core {
 
 /// Whether a device still holds all sites of a set, with their colors, from one run to the next.
 struct HeldSites {
-  /// How often anything was uploaded to the device that is in use, by this or by others; null where that is
-  /// not known.
+  /// Number of uploads to the device in use, by this or by others; null if unknown.
   const std::uint64_t* uploads = nullptr;
-  std::optional<std::uint64_t> after{};  ///< that number when these sites had been
+  std::optional<std::uint64_t> after{};  ///< that number just after these sites were uploaded
 
   [[nodiscard]] bool areThere() const { return uploads != nullptr && after == *uploads; }
 };
@@ -20,7 +19,7 @@ struct HeldSites {
 class Upload {
  public:
   /// `palette_index` is by index in the set; empty when nothing will be drawn. `held` outlives this; without
-  /// it, nothing is held before or afterwards.
+  /// it, the device counts as holding nothing before and afterwards.
   Upload(Backend& backend, std::span<const std::uint8_t> palette_index, HeldSites* held = nullptr)
       : backend_(backend), palette_index_(palette_index), held_(held) {}
 

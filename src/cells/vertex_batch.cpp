@@ -86,8 +86,8 @@ FOR_WIDE_TOO void CornerBatch::place() {
   if (farthest > shorter_side * shorter_side) measureFarEdges(shorter_side);
 }
 
-/// The excess length of every edge where some sites are farther apart than the domain's shorter side. Such
-/// batches are rare, so that the usual path needs no square root.
+/// Recomputes the excess length of every edge, if some sites are farther apart than the domain's shorter
+/// side. Such batches are rare, so the usual path needs no square root.
 void CornerBatch::measureFarEdges(double shorter_side) {
   for (std::size_t e = 0; e < edges_; ++e) {
     for (std::size_t k = 0; k < cells_; ++k) {

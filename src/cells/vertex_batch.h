@@ -30,7 +30,8 @@ class CornerBatch {
   void clear() { cells_ = 0; }
   /// `row` is the neighbors of `cell`, counter-clockwise; it outlives the batch's use.
   Added add(std::uint32_t cell, std::span<const std::int32_t> row);
-  /// The same, never `full`: then it calls finish(), which uses and clears the batch, and adds the cell.
+  /// The same, but never returns `full`: then calls finish(), which uses and clears the batch, and adds the
+  /// cell.
   template <class Finish>
   Added add(std::uint32_t cell, std::span<const std::int32_t> row, const Finish& finish) {
     const auto added = add(cell, row);
@@ -82,7 +83,7 @@ class CornerBatch {
 
   const SiteSet& sites_;
   std::size_t cells_ = 0, edges_ = 0;  ///< of each cell
-  std::size_t width_ = 0;              ///< cells that there is room for
+  std::size_t width_ = 0;              ///< number of cells that fit
   std::array<std::uint32_t, most_cells> cell_;
   std::array<std::span<const std::int32_t>, most_cells> row_;
   ByCell site_x_, site_y_, site_w_, origin_x_, origin_y_;  ///< weights and origins: where sites have weights

@@ -12,15 +12,15 @@ namespace vorpipe::core {
 namespace {
 
 constexpr std::size_t wide_vertices_grain = 1024;
-/// A vertex with fewer ties is not wide. A tie counts twice, even where one of its two cells lacks it: which
-/// cells have an edge of nearly no length depends on the backend.
+/// A vertex with fewer ties is not wide. A tie counts twice, even if one of its two cells lacks it: which
+/// cells have an edge of almost zero length depends on the backend.
 constexpr std::uint32_t fewest_ties = 6, fewest_with_images = 4;
 /// How far vertices may be from a cell's corners, relative to the corner's distance from its site, or to the
-/// domain's shorter side if that is less. `--check` allows 1.25 times that. With weights more cells nearly
-/// meet in a point, and ties with sites far away are long: then relative to the cell's reach.
+/// domain's shorter side if that is less. `--check` allows 1.25 times that. With weights, distances are
+/// relative to the cell's reach: more cells nearly meet in a point, and ties with far sites are long.
 constexpr double wide = 8e-6, wide_with_weights = 8e-5, nearly = 0.5;
-/// In a periodic domain a vertex may have four copies, and ties that join others of its corners in each. The
-/// copies become one (seam.h): up to seven times as far from a corner as each of them alone.
+/// In a periodic domain a vertex may have four copies, and in each, ties may join different corners. The
+/// copies become one (seam.h), up to seven times as far from a corner as each copy alone.
 constexpr double part_with_images = 0.125;
 
 class VertexWidths {
@@ -79,7 +79,7 @@ class VertexWidths {
     if (!any) return;
     const auto cell = tied_.cell[k];
     const auto row = proposed_.cells.edges(cell);
-    // Weights take the whole cell's reach.
+    // With weights, the cell's reach needs all corners.
     if (!sites_.weight.empty()) placeCorners(sites_, cell, row, corners);
     const Point site{sites_.x[cell], sites_.y[cell]};
     const double most = shorterSide(sites_), rounding = roundingAt(site);
@@ -95,7 +95,7 @@ class VertexWidths {
     }
   }
 
-  /// How far rounding may move what lies in the domain or at a site.
+  /// How far rounding may move a point in the domain or at a site.
   [[nodiscard]] double roundingAt(Point site) const {
     constexpr double steps = 16 * std::numeric_limits<double>::epsilon();
     const Box& domain = sites_.domain;
@@ -117,7 +117,7 @@ class VertexWidths {
     return reach;
   }
 
-  /// The cells around vertices from which a corner is farther than the part `most`.
+  /// The cells around vertices from which a corner is farther than `most`, relatively.
   std::vector<std::uint32_t> cellsAt(double most) {
     std::vector<std::uint32_t> cells;
     for (std::size_t v = 0; v < width_.size(); ++v) {
@@ -136,8 +136,8 @@ class VertexWidths {
   const TiedCells& tied_;
   const Fineness& fineness_;
   std::uint32_t fewest_;             ///< ties of a vertex that may be wide
-  std::vector<std::uint32_t> ties_;  ///< by vertex: how many, each counted twice
-  std::vector<double> width_;        ///< by vertex: how far its farthest corner is, relatively
+  std::vector<std::uint32_t> ties_;  ///< by vertex: number of ties, each counted twice
+  std::vector<double> width_;        ///< by vertex: relative distance of its farthest corner
 };
 
 }  // namespace

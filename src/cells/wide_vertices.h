@@ -6,7 +6,7 @@
 
 namespace vorpipe::core {
 
-/// The cells around wide vertices, ascending, without those whose ties are as fine as can be.
+/// The cells around wide vertices, ascending, except those whose ties are already the finest.
 struct WideVertices {
   std::vector<std::uint32_t> nearly;  ///< a vertex is wide, or might be if its cells were exact
   std::vector<std::uint32_t> quite;   ///< these need finer ties, if all of them are exact

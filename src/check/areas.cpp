@@ -10,10 +10,10 @@
 namespace vorpipe::core::checks {
 namespace {
 
-/// What areas are promised to: a part of themselves, and one of the mean cell.
+/// Promised accuracy of areas: relative to themselves, and to the mean cell.
 constexpr double of_area = 1e-5, of_mean = 1e-9;
 
-/// What the bisectors with all other sites leave of the domain for one.
+/// The part of the domain that the bisectors with all other sites leave for one site.
 class CutOut {
  public:
   CutOut(const CheckedCells& run, std::size_t i) : run_(run), site_(run.site(i)) {
@@ -26,16 +26,16 @@ class CutOut {
   }
 
   [[nodiscard]] const std::vector<Point>& ring() const { return ring_; }
-  /// What its points are seen from.
+  /// Its points are relative to this.
   [[nodiscard]] Point origin() const { return origin_; }
-  /// Of what cut it: bisectors with far sites, where these are heavy, are the roughest.
+  /// Rounding of the cutting bisectors: worst for far heavy sites.
   [[nodiscard]] double rounding() const { return rounding_; }
 
  private:
-  /// First by few sites from all over the input: of sites that come in rows each would cut a little more off
-  /// than the one before it, until the row of site i. Steps of the golden section of the input are spread
-  /// evenly however many there are, and unlike those of a power of two meet no row again and again. To cut by
-  /// a site twice changes nothing.
+  /// Cuts first by a few sites from all over the input. Sites in rows would each cut off a little more than
+  /// the previous one, until the row of site i. Steps of the golden section of the input are evenly spread
+  /// for any number of steps. Unlike steps of a power of two they do not hit the same row repeatedly. Cutting
+  /// by a site twice changes nothing.
   void cutByAllBut(std::size_t i) {
     const std::size_t size = run_.size(), some = size / 32;
     const auto far_apart = static_cast<std::size_t>(0.618033988749895 * static_cast<double>(size)) | 1;
@@ -81,7 +81,7 @@ double meanArea(const CheckedCells& run) {
   return areaSum(run.diagram) * run.scale * run.scale / static_cast<double>(run.diagram.report.ok);
 }
 
-/// How long and thin a cell may be: its area beside the square of the way to its nearest neighbor.
+/// How long and thin a cell may be: its area relative to the squared distance to its nearest neighbor.
 double thinness(const CheckedCells& run, std::size_t i) {
   if (!run.ok(i)) return 0;
   double nearest = std::numeric_limits<double>::infinity();
@@ -90,7 +90,7 @@ double thinness(const CheckedCells& run, std::size_t i) {
   return run.diagram.area[i] * run.scale * run.scale / (nearest * nearest);
 }
 
-/// The cells that seem to be thinnest: as many as are soon cut out, each by all sites.
+/// The apparently thinnest cells: as many as can quickly be cut out, each by all sites.
 std::vector<std::size_t> thinnestCells(const CheckedCells& run) {
   constexpr std::size_t most = 64, most_cuts = 1 << 26;
   std::vector<double> thin(run.size());
@@ -120,7 +120,7 @@ std::string wrongArea(const CheckedCells& run, const CheckedOutline* outline, st
     const auto neighbor = run.diagram.neighbors[e];
     if (neighbor >= 0) rounding = std::max(rounding, run.rounding(static_cast<std::size_t>(neighbor)));
   }
-  // Where rounding may have left next to nothing, all that is known is that the cell is in the domain.
+  // If rounding may have left next to nothing, the cell is known only to lie in the domain.
   const Box& box = run.domain;
   double around = perimeterOf(cell.ring());
   if (!(area > rounding * around)) around = 2 * (box.xmax - box.xmin + box.ymax - box.ymin);
@@ -132,7 +132,7 @@ std::string wrongArea(const CheckedCells& run, const CheckedOutline* outline, st
 }
 
 void checkThinAreas(const CheckedCells& run, const CheckedOutline* outline, Broken& broken) {
-  // What is no number is told by their sum.
+  // NaN is reported by the check of the sum.
   if (run.repeats() || run.diagram.report.ok == 0 || !std::isfinite(areaSum(run.diagram))) return;
   const auto cells = thinnestCells(run);
   broken.expect("areas", cells.size(), run.threads,

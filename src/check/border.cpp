@@ -18,7 +18,8 @@ namespace {
 
 using Edge = CheckedOutline::Edge;
 
-/// Of a straight side: the number of the outline's edge, or that many and a wall's, from xmin to ymax.
+/// A part of a straight side. `side` is the index of an outline's edge, or the number of these edges plus a
+/// wall's number, from xmin to ymax.
 struct Stretch {
   std::size_t side;
   double from, to;
@@ -34,9 +35,9 @@ Point placeAlong(const Edge& edge, double along) {
   return {edge.a.x + part * (edge.b.x - edge.a.x), edge.a.y + part * (edge.b.y - edge.a.y)};
 }
 
-/// Calls take(k, from, to) for each edge of the outline along which the way from p to q runs, with the inside
-/// to the left of both, and for the part of it along which it does: mostly for one, but rounding may have
-/// joined some that lie on a line.
+/// Calls take(k, from, to) for each edge of the outline that the segment from p to q runs along, both with
+/// the inside to the left. `from` and `to` bound the common part. Usually there is one edge, but rounding may
+/// have joined several on a line.
 template <class Take>
 void eachAlong(const CheckedOutline& outline, Point p, Point q, double slack, const Take& take) {
   outline.eachMeeting(grown(boxAround(p, q), slack), [&](std::uint32_t k) {
@@ -56,8 +57,8 @@ WeightedPoint placeOf(const CheckedCells& run, std::size_t i) {
           run.weighted ? run.sites.weight[i] * run.scale * run.scale : 0};
 }
 
-/// Whether a way that lies in the bisector of two sites, but for rounding, has a part in a side of the
-/// outline that lies in it exactly.
+/// Whether a segment on the bisector of two sites, up to rounding, shares a part with a side of the outline
+/// that lies exactly on the bisector.
 bool isInSide(const CheckedCells& run, const CheckedOutline& outline,
               std::pair<std::size_t, std::size_t> sites, Point p, Point q) {
   const double rounding = std::max(run.rounding(sites.first), run.rounding(sites.second));
@@ -95,7 +96,7 @@ std::string wrongAlong(const CheckedCells& run, const CheckedOutline& outline, s
   CellRings(run, i).eachEdge([&](std::size_t e, Point p, Point q) {
     const std::int64_t neighbor = run.diagram.neighbors[e];
     const double rounding = run.rounding(i);
-    // What two cells have in common and is a tie may count as the outline's.
+    // A common edge of two cells that is a tie may count as the outline's.
     const double tie = std::max(4 * rounding, run.ties(run.weighted ? run.shorter_side : run.reach(i)));
     if (neighbor == wall_outline && length(q - p) > tie) {
       double covered = 0;
@@ -103,7 +104,7 @@ std::string wrongAlong(const CheckedCells& run, const CheckedOutline& outline, s
       if (length(q - p) - covered > tie)
         wrong = fmt::format("edge {} of site {} does not run along the outline", e - run.begin(i), i);
     }
-    // Of two cells the first has their edge looked at.
+    // The common edge of two cells is checked only for the first.
     const auto j = static_cast<std::size_t>(neighbor);
     if (neighbor < 0 || j < i || !isInSide(run, outline, {i, j}, p, q)) return;
     wrong =
@@ -112,7 +113,7 @@ std::string wrongAlong(const CheckedCells& run, const CheckedOutline& outline, s
   return wrong;
 }
 
-/// The four walls as sides from one corner of the domain to the next, with the inside to the left.
+/// The four walls as sides between corners of the domain, with the inside to the left.
 struct Walls {
   explicit Walls(const Box& box)
       : edges{Edge{{box.xmin, box.ymax}, {box.xmin, box.ymin}},
@@ -129,7 +130,7 @@ struct Walls {
   std::array<Edge, 4> edges;
 };
 
-/// The wall that an edge of the outline lies in, but for rounding, with the inside to the left of both.
+/// The wall that an edge of the outline lies on, up to rounding, both with the inside to the left.
 std::optional<std::size_t> wallOf(const Walls& walls, const Edge& edge, double rounding) {
   for (std::size_t wall = 0; wall < walls.edges.size(); ++wall) {
     const Edge& along = walls.edges[wall];
@@ -140,7 +141,7 @@ std::optional<std::size_t> wallOf(const Walls& walls, const Edge& edge, double r
   return {};
 }
 
-/// What of an edge of the outline lies in the domain, and not in a wall.
+/// The part of an edge of the outline that lies in the domain but not on a wall.
 std::optional<Stretch> insideWalls(const Walls& walls, const CheckedOutline& outline, std::size_t side,
                                    double rounding) {
   const auto& [a, b] = outline.edges()[side];
@@ -157,8 +158,8 @@ std::optional<Stretch> insideWalls(const Walls& walls, const CheckedOutline& out
   return Stretch{side, low * all, high * all, 0};
 }
 
-/// The parts of a wall beside which the domain has an inside: between every other two of the places where the
-/// outline comes to the wall.
+/// The parts of a wall with an inside next to them: every other interval between places where the outline
+/// meets the wall.
 void addWallParts(const Walls& walls, const CheckedOutline& outline, std::size_t wall, double rounding,
                   std::vector<Stretch>& parts) {
   std::vector<double> crossed;
@@ -175,7 +176,7 @@ void addWallParts(const Walls& walls, const CheckedOutline& outline, std::size_t
     parts.push_back({outline.edges().size() + wall, crossed[k], crossed[k + 1], 0});
 }
 
-/// The edges of the domain, and those that cells have along them.
+/// The edges of the domain, and the cells' edges along them.
 class Border {
  public:
   Border(const CheckedCells& run, const CheckedOutline& outline)
@@ -191,12 +192,12 @@ class Border {
 
   [[nodiscard]] std::size_t sides() const { return outline_.edges().size() + walls_.edges.size(); }
 
-  /// What is wrong with a side: a part that no cell has, or more than one, or that is not the domain's.
+  /// What is wrong with a side: a part that no cell or more than one has, or a part that is not the domain's.
   [[nodiscard]] std::string wrong(std::size_t side) const {
     const auto wanted = std::ranges::equal_range(wanted_, side, {}, &Stretch::side);
     const auto had = std::ranges::equal_range(had_, side, {}, &Stretch::side);
     std::vector<std::pair<double, int>> ends;
-    // What may be missing of a side that nothing is left of is not known from cells.
+    // For a side that no cell has, the cells do not determine how much may be missing.
     double slack = had.empty() ? run_.ties(run_.shorter_side) : rounding_;
     for (const Stretch& part : wanted) ends.insert(ends.end(), {{part.from, -1}, {part.to, 1}});
     for (const Stretch& part : had) {
@@ -242,7 +243,8 @@ class Border {
     had_.push_back({side, alongEdge(edge(side), p), alongEdge(edge(side), q), slack});
   }
 
-  /// Whether the domain is no wider there than rounding is: another side runs along, the other way.
+  /// Whether the domain is no wider there than rounding: another side runs along it in the opposite
+  /// direction.
   [[nodiscard]] bool isThin(std::size_t side, double along) const {
     const Point p = placeAlong(edge(side), along), way = edge(side).b - edge(side).a;
     bool thin = false;

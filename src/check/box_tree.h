@@ -1,4 +1,4 @@
-/// Boxes of the plane, to be found by what meets them.
+/// Boxes in the plane, searchable by intersection.
 #pragma once
 
 #include <cstddef>
@@ -14,19 +14,19 @@ inline Box boxAround(Point a, Point b) {
   return {a.x < b.x ? a.x : b.x, a.y < b.y ? a.y : b.y, a.x < b.x ? b.x : a.x, a.y < b.y ? b.y : a.y};
 }
 
-/// `box` and `margin` more on each side.
+/// `box` grown by `margin` on each side.
 inline Box grown(const Box& box, double margin) {
   return {box.xmin - margin, box.ymin - margin, box.xmax + margin, box.ymax + margin};
 }
 
-/// A tree of boxes, halved again and again across the longer side of what is left. However the boxes lie, it
-/// has some times as many nodes as boxes.
+/// A tree of boxes, split repeatedly in halves across the longer side of the remaining box. However the boxes
+/// lie, the number of nodes is at most a few times that of boxes.
 class BoxTree {
  public:
-  /// Of finite boxes, fewer than 2^32.
+  /// The boxes are finite, and fewer than 2^32.
   explicit BoxTree(std::vector<Box> boxes);
 
-  /// Calls take(k) for each box k that meets `asked` or touches it, whose sides may be infinite.
+  /// Calls take(k) for each box k that meets or touches `asked`, whose sides may be infinite.
   template <class Take>
   void eachMeeting(const Box& asked, const Take& take) const {
     if (!order_.empty()) visit({1, 0, order_.size()}, asked, take);

@@ -9,9 +9,9 @@
 namespace vorpipe::core::checks {
 namespace {
 
-/// Of the domain's area: cells are measured in double.
+/// Relative to the domain's area: cells are measured in double.
 constexpr double area_sum_slack = 1e-12;
-/// The same where an outline has area and the domain's coordinates are what is rounded.
+/// The same with an outline, where rounding of the domain's coordinates dominates.
 constexpr double clipped_sum_slack = 1e-9;
 
 bool isWall(const CheckedCells& run, std::int64_t neighbor) {
@@ -21,7 +21,7 @@ bool isWall(const CheckedCells& run, std::int64_t neighbor) {
   return (across_x && !run.repeats_x) || (across_y && !run.repeats_y);
 }
 
-/// Whether the neighbor across an edge is another site, or another image of the same.
+/// Whether the neighbor across an edge is another site, or another image of the same site.
 bool isOther(const CheckedCells& run, std::size_t i, std::size_t e) {
   const auto [x, y] = run.shift(e);
   if ((x != 0 && !run.repeats_x) || (y != 0 && !run.repeats_y)) return false;
@@ -52,8 +52,8 @@ std::string wrongBesideCell(const CheckedCells& run, std::size_t i) {
                      centroid.y);
 }
 
-/// Across a flat domain, places are as rounded as along it. Sides that repeat are as rounded as coordinates
-/// are, seen as parts of the sides.
+/// Across a flat domain, positions are rounded as much as along it. Sides that repeat are rounded as much as
+/// coordinates, relative to the sides.
 double sumSlack(const CheckedCells& run) {
   constexpr double steps = 4;
   const Box& box = run.domain;
@@ -64,14 +64,14 @@ double sumSlack(const CheckedCells& run) {
   return slack;
 }
 
-/// Of the area inside: where cells end on the outline, their corners are rounded like coordinates.
+/// Rounding of the area inside: corners on the outline are rounded like coordinates.
 double outlineRounding(const CheckedCells& run, const CheckedOutline& outline) {
   constexpr double steps = 4;
   return steps * epsilon * run.largest * outline.length() / run.scale / run.scale;
 }
 
 std::vector<std::string> brokenBy(const CheckedCells& run) {
-  // The tree is built beside the other checks, which need one thread as well.
+  // The tree is built concurrently with the other checks, which also need one thread.
   auto building = std::async(run.threads > 1 ? std::launch::async : std::launch::deferred,
                              [&] { return NearestSite(run, run.diagram.owner); });
   Broken broken;

@@ -10,7 +10,7 @@ namespace {
 
 constexpr std::size_t sites_kept = 10;
 
-/// Compares cells of two diagrams; keeps the room for lists that must be sorted.
+/// Compares cells of two diagrams; reuses buffers for lists that must be sorted.
 class CellComparison {
  public:
   CellComparison(const Diagram& a, const Diagram& b) : a_(a), b_(b) {
@@ -22,7 +22,7 @@ class CellComparison {
     const double area_a = a_.area[i], area_b = b_.area[i];
     return {static_cast<std::uint32_t>(i), a_.status[i] != b_.status[i] || a_.owner[i] != b_.owner[i],
             !sameNeighbors(i),
-            // Not a number differs from all.
+            // NaN differs from everything.
             !(partOfAllowed(area_a, area_b) <= 1), area_a, area_b};
   }
 
@@ -49,7 +49,7 @@ class CellComparison {
     return sorted_a_ == sorted_b_;
   }
 
-  /// A neighbor, and which image of it.
+  /// A neighbor and the shift of its image.
   using Image = std::pair<std::int64_t, std::array<std::int32_t, 2>>;
 
   static void sort(const Diagram& diagram, std::size_t i, std::vector<Image>& sorted) {
@@ -63,7 +63,7 @@ class CellComparison {
 
   const Diagram& a_;
   const Diagram& b_;
-  double slack_ = 0;  ///< of an area, whatever the cell's own
+  double slack_ = 0;  ///< of an area, independent of the cell's own
   std::vector<Image> sorted_a_, sorted_b_;
 };
 

@@ -11,9 +11,9 @@
 namespace vorpipe::core::checks {
 namespace {
 
-/// By how much the area of a cell before ties join its corners, which is what is written, may differ from
-/// what its rings enclose: each edge in truth lies in its line, which its ends may be off, and around each
-/// vertex a place as wide as ties may belong to another cell.
+/// The possible difference between the area of a cell before ties join its corners, which the record has, and
+/// the area that its rings enclose. Each true edge lies on its line, which its ends may be off. Around each
+/// vertex, a region as wide as ties may belong to another cell.
 double movedByTies(const CheckedCells& run, const CellRings& rings, std::size_t i, double reach) {
   const double off = run.ties(reach) + run.rounding(i);
   const double at_vertex = 4 * off * off;
@@ -40,8 +40,8 @@ std::string wrongRingArea(const CheckedCells& run, const CheckedOutline& outline
   const double said = run.diagram.area[i];
   const double apart = std::abs(sums.area - said * run.scale * run.scale);
   if (apart <= sums.rounding + movedByTies(run, rings, i, reach)) return {};
-  // Along the outline, ties may have left a cell nothing that belongs to it, or what belongs to cells that it
-  // has no edge with: how much is not known from its rings.
+  // Along the outline, ties may have removed all of a cell's own area, or added area of cells that it has no
+  // edge with; its rings do not determine how much.
   const double longest_tie = run.ties(run.shorter_side);
   if (apart <= longest_tie * (sums.perimeter + longest_tie) && wrongArea(run, &outline, i).empty()) return {};
   return fmt::format("the rings of site {} have the area {}, its record says {}", i,
@@ -94,7 +94,7 @@ std::string wrongEdges(const CheckedCells& run, std::size_t i, double reach) {
     const auto beyond = [&](Point p) {
       return std::abs(beyondBisector(run.way(i, j), run.site(i), run.weightDifference(i, j), p));
     };
-    // checkBorder() has those of the outline.
+    // checkBorder() covers edges of the outline.
     const bool right =
         neighbor == wall_outline || (neighbor < 0 ? isOnWall(run, neighbor, a) && isOnWall(run, neighbor, b)
                                                   : beyond(a) <= slack && beyond(b) <= slack);
@@ -103,8 +103,8 @@ std::string wrongEdges(const CheckedCells& run, std::size_t i, double reach) {
   return wrong;
 }
 
-/// Whether the outline cut cell i: how far it reached before, where ties may have moved the ends of its
-/// edges, is not known then. Of a cell in a narrow end of the outline, edges along that may be points.
+/// Whether the outline cut cell i: its reach before, where ties may have moved the ends of its edges, is then
+/// unknown. For a cell in a narrow end of the outline, edges along that may be points.
 bool isCut(const CheckedCells& run, const CheckedOutline& outline, std::size_t i) {
   for (std::size_t e = run.begin(i); e < run.end(i); ++e) {
     if (run.diagram.neighbors[e] == wall_outline) return true;
@@ -155,7 +155,7 @@ std::string wrongInCell(const CheckedCells& run, const CheckedOutline& outline, 
 std::string wrongPlace(const CheckedCells& run, const CheckedOutline& outline, const NearestSite& nearest,
                        Point p) {
   std::string wrong;
-  // Of those that double does not tell apart, any may have it.
+  // Any of the sites that double cannot distinguish may own it.
   for (const auto site : nearest.allAt(p)) {
     wrong = wrongInCell(run, outline, run.diagram.owner[site], p);
     if (wrong.empty()) break;

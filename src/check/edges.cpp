@@ -11,7 +11,7 @@ namespace {
 
 constexpr std::size_t edges_grain = 4096;
 
-/// A vertex as one cell has it, where its edge `edge` begins.
+/// A vertex in one cell, where its edge `edge` begins.
 struct Corner {
   std::size_t cell, edge;
 };
@@ -34,14 +34,14 @@ struct Rotation {
   }
 };
 
-/// Walks around a vertex from one of its corners, both ways in turn.
+/// Walks around a vertex from one of its corners, alternating between both directions.
 class VertexWalk {
  public:
   VertexWalk(const Rotation& rotation, Corner corner)
       : rotation_(rotation), start_(corner), ahead_(corner), behind_(corner) {}
 
-  /// Whether none of the vertex's corners stands earlier in the arrays. Looking both ways finds an
-  /// earlier one soon, on average, however many cells meet and in whatever order.
+  /// Whether no corner of the vertex comes earlier in the arrays. Walking in both directions finds an earlier
+  /// one quickly on average, for any number and order of cells.
   bool isFirst() {
     while (!(wall_ahead_ && wall_behind_) && !closed_) {
       if (!wall_ahead_) step(rotation_.after(ahead_), ahead_, behind_, wall_ahead_);
@@ -76,7 +76,7 @@ Counts countCell(const Rotation& rotation, std::size_t i) {
   counts.faces = run.edges(i) > 0 ? 1 : 0;
   for (std::size_t e = run.begin(i); e < run.end(i); ++e) {
     const std::int64_t neighbor = run.diagram.neighbors[e];
-    // Of two cells the first counts their edge; between two images of a cell, one of both.
+    // The first of two cells counts their edge; between two images of a cell, one counts it.
     const auto own = static_cast<std::int64_t>(i);
     const bool self = neighbor == own && run.shift(e) > Shift{0, 0};
     counts.edges += neighbor < 0 || neighbor > own || self ? 1 : 0;
@@ -102,8 +102,8 @@ Counts countAll(const Rotation& rotation) {
   return all;
 }
 
-/// What may separate copies of a vertex of cell i, a period apart. Where a tie may be longer than that, a
-/// vertex may stand for all of its copies.
+/// The possible distance between copies of a vertex of cell i, after a shift by a period. If ties may be
+/// longer than a period, a vertex may stand for all of its copies.
 double copySlack(const CheckedCells& run, std::size_t i, std::size_t vertex) {
   constexpr double part = 1e-12;  // of its distance from the site
   if (!run.repeats()) return 0;
@@ -112,7 +112,7 @@ double copySlack(const CheckedCells& run, std::size_t i, std::size_t vertex) {
   return ties < run.shortestPeriod() ? slack : slack + ties;
 }
 
-/// Whether a vertex of cell i is one of the cell across its edge e, as that cell has it.
+/// Whether a vertex of cell i equals a vertex of the cell across its edge e.
 bool isSamePlace(const CheckedCells& run, std::size_t i, std::size_t vertex, std::size_t other,
                  std::size_t e) {
   if (!run.repeats()) return run.diagram.vertices[vertex] == run.diagram.vertices[other];
@@ -143,8 +143,8 @@ std::string wrongTwin(const CheckedCells& run, const Twins& twins, std::size_t i
 Twins findTwins(const CheckedCells& run) {
   const Diagram& d = run.diagram;
   Twins twins(d.neighbors.size(), no_twin);
-  // Of a pair the cell with more edges looks through the list of the other: a cell with 100,000 neighbors
-  // is not looked through by each of them. So each place is written for one pair only.
+  // In each pair the cell with more edges searches the list of the other, so a cell with 100,000 neighbors is
+  // not searched by each of them. Each entry is thus written for one pair only.
   parallelFor(run.size(), edges_grain, run.threads, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) {
       for (std::size_t e = run.begin(i); e < run.end(i); ++e) {
@@ -171,8 +171,8 @@ bool checkSymmetry(const CheckedCells& run, const Twins& twins, Broken& broken) 
                        [&](std::size_t i) { return wrongTwin(run, twins, i); });
 }
 
-/// Whether ties go all across a domain that repeats itself, beside cell i: two of its edges in a row are
-/// opposite walls, or its own opposite images.
+/// Whether ties extend across a domain that repeats, beside cell i: two consecutive edges are opposite walls,
+/// or its own opposite images.
 bool isPinched(const CheckedCells& run, std::size_t i) {
   for (std::size_t e = run.begin(i); e < run.end(i); ++e) {
     const std::int64_t a = run.diagram.neighbors[e], b = run.diagram.neighbors[run.next(i, e)];
@@ -186,8 +186,8 @@ bool isPinched(const CheckedCells& run, std::size_t i) {
   return false;
 }
 
-/// How many parts the cells with edges hang together in. Several are joined in points, at walls, where ties
-/// are all that lies between them.
+/// The number of connected components of the cells with edges. Components are joined in points, at walls,
+/// where only ties lie between them.
 std::size_t countParts(const CheckedCells& run) {
   std::vector<std::size_t> above(run.size());
   std::iota(above.begin(), above.end(), std::size_t{0});
@@ -214,7 +214,7 @@ void checkPartition(const CheckedCells& run, const Twins& twins, Broken& broken)
     if (isPinched(run, i)) return;
   }
   const Counts counts = countAll({run, twins});
-  // A band and a torus have no outside to be a face, and a hole. Any other part is a disk.
+  // A band and a torus have no outside face, and have a hole. Any other component is a disk.
   const std::size_t outside = run.repeats() ? 0 : 1;
   const std::size_t parts = countParts(run), rings = run.repeats() ? std::min<std::size_t>(parts, 1) : 0;
   const std::size_t disks = parts - rings;

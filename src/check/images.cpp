@@ -31,20 +31,20 @@ Point SitePlaces::at(std::size_t i) const {
 
 namespace {
 
-/// A place from which the nearest site is asked for in place of p: p, less `shift` periods. An image of what
-/// is found, moved by `shift`, is as far from p.
+/// A place at which to search instead of p: p minus `shift` periods. The result's image, moved by `shift`, is
+/// equally far from p.
 struct Frame {
   Point from;
   Shift shift;
 };
 
-/// A whole number of periods; none for a place so far away that it is wrong, or for what is not a number.
+/// A whole number of periods; 0 for NaN and for a place so far away that it is wrong.
 std::int32_t whole(double periods) {
   constexpr double most = 0x1p30;
   return std::abs(periods) < most ? static_cast<std::int32_t>(periods) : 0;
 }
 
-/// Those from which an image nearest to p may be seen as a site; the one that is in the domain first.
+/// The frames in which an image nearest to p may appear as a site; the one in the domain comes first.
 std::vector<Frame> framesOf(const CheckedSites& run, Point p) {
   const auto periods = [](bool repeats, double from_low, double period) {
     return repeats ? whole(std::floor(from_low / period)) : 0;
@@ -69,12 +69,12 @@ NearImage imageOf(const CheckedSites& run, std::uint32_t site, Shift shift) {
 
 double squaredTo(const NearImage& image, Point p) { return dot(p - image.place, p - image.place); }
 
-/// By how much an image is nearer to p than another, squared.
+/// How much nearer image a is to p than b, in squared distance.
 double nearerBy(const CheckedSites& run, const NearImage& a, const NearImage& b, Point p) {
   return squaredTo(b, p) - squaredTo(a, p) + run.weightDifference(a.site, b.site);
 }
 
-/// What that may have lost to rounding, of places a period away as well.
+/// The rounding error of nearerBy(), also for places a period away.
 double nearerRounding(const CheckedSites& run, const NearImage& a, const NearImage& b, Point p) {
   const double of_squares =
       squaredTo(a, p) + squaredTo(b, p) + std::abs(run.weightDifference(a.site, b.site));
@@ -82,8 +82,8 @@ double nearerRounding(const CheckedSites& run, const NearImage& a, const NearIma
   return squared_rounding * (of_squares + of_places);
 }
 
-/// Whether an image that a frame sees may be as near to p as `near`: all sites are in the domain, and most
-/// frames are farther from it.
+/// Whether a frame may contain an image as near to p as `near`: all sites are in the domain, and most frames
+/// are farther from it.
 bool maySeeAsNear(const CheckedSites& run, const NearestSite& nearest, const Frame& frame,
                   const NearImage& near, Point p) {
   const auto outside = [](double at, double low, double high) {

@@ -8,11 +8,11 @@
 namespace vorpipe::core::checks {
 namespace {
 
-/// Of a mass: what adding up pixels rounds off.
+/// Relative rounding error of a mass, from adding up pixels.
 constexpr double mass_slack = 1e-9;
 
-/// What of the area of cell i may be in another pixel: by rounding, since masses are from the same corners as
-/// areas. Where there are no polygons, what areas are promised to.
+/// How much of the area of cell i may be in another pixel. This is rounding only, since masses use the same
+/// corners as areas. Without polygons it is the promised accuracy of areas.
 double areaSlack(const CheckedCells& run, double mean, std::size_t i) {
   if (run.detail == Detail::measures) return 1e-9 * mean + 1e-5 * run.diagram.area[i];
   const double longest = run.diagram.perimeter[i] * run.scale + run.ties(run.shorter_side);
@@ -53,14 +53,14 @@ std::string wrongCenter(const CheckedCells& run, std::size_t i) {
   });
 }
 
-/// How much of pixel k of `count` from low to high lies between two places, as a length.
+/// The length of the part of pixel k, of `count` pixels from low to high, that lies between two places.
 double lengthBetween(double low, double high, int count, int k, double from, double to) {
   const double size = (high - low) / count;
   const double begin = std::max(low + k * size, from), end = std::min(low + (k + 1) * size, to);
   return std::max(0.0, end - begin);
 }
 
-/// The mass in the domain's box of a density that has a place.
+/// The mass in the domain's box of a density with its own box.
 double massOfPlaced(const Density& density, const Box& domain) {
   const Box& box = *density.box;
   double sum = 0;
@@ -102,7 +102,7 @@ void checkMass(const CheckedCells& run, Broken& broken) {
   const auto& mass = run.diagram.mass;
   const double sum = std::accumulate(mass.begin(), mass.end(), 0.0), whole = massOf(run);
   if (!std::isfinite(whole)) return;
-  // The two cells of an edge may have rounded it apart.
+  // The two cells of an edge may have rounded it differently.
   const double apart = 64 * epsilon * run.largest * static_cast<double>(run.size());
   const Box& box = run.caller_domain;
   const double slack = mass_slack * whole + apart * most * (box.xmax - box.xmin) * (box.ymax - box.ymin);

@@ -18,11 +18,11 @@ namespace vorpipe::core::checks {
 namespace {
 
 constexpr std::size_t sampled_cells = 10'000;
-/// Of a cell; few have more.
+/// Sampled vertices per cell; few cells have more.
 constexpr std::size_t most_vertices = 16;
 constexpr std::size_t searches_of_task = 64;
 
-/// Cells with an area, each at most once, in random order: all, or `sampled_cells` of them.
+/// Cells with an area, in random order, without repetition: all, or `sampled_cells` of them.
 std::vector<std::uint32_t> sampleCells(const CheckedCells& run, Random& random) {
   std::vector<std::uint32_t> cells;
   for (std::uint32_t i = 0; i < run.size(); ++i) {
@@ -34,8 +34,8 @@ std::vector<std::uint32_t> sampleCells(const CheckedCells& run, Random& random) 
   return cells;
 }
 
-/// Where the cell of site i is asked about: in its centroid, and in vertices. Any cell that reaches into a
-/// convex one holds a vertex of it.
+/// The sampled places of the cell of site i: its centroid and vertices. Any cell that overlaps a convex one
+/// contains a vertex of it.
 std::vector<Point> placesOf(const CheckedCells& run, std::size_t i) {
   const Point centroid = run.diagram.centroid[i];
   std::vector<Point> places{{centroid.x * run.scale, centroid.y * run.scale}};
@@ -45,8 +45,8 @@ std::vector<Point> placesOf(const CheckedCells& run, std::size_t i) {
   return places;
 }
 
-/// What is nearest to each place of some cells. Around a vertex that many cells share, as the center of sites
-/// on a circle, all their sites are as near and must be compared; once is enough.
+/// The nearest image for each place of some cells. Around a vertex that many cells share, as the center of
+/// sites on a circle, all their sites are equally near and must be compared; once is enough.
 class NearestOfPlaces {
  public:
   NearestOfPlaces(const CheckedCells& run, const NearestSite& nearest) : run_(run), nearest_(nearest) {}
@@ -68,7 +68,7 @@ class NearestOfPlaces {
     std::ranges::inplace_merge(known_, known_.begin() + static_cast<std::ptrdiff_t>(before), {}, keyOf);
   }
 
-  /// Of a place of those cells.
+  /// The nearest image for a place of those cells.
   [[nodiscard]] const NearImage& at(Point p) const {
     return std::ranges::lower_bound(known_, PlaceKey(p), {}, keyOf)->nearest;
   }
@@ -85,12 +85,12 @@ class NearestOfPlaces {
   std::vector<Known> known_;  ///< by place
 };
 
-/// Has `search(begin, end)` be called for parts of [0, count), from its beginning, as far as there is time;
-/// returns how far. Each part is as long as all before it, so that what it will take is known.
+/// Calls `search(begin, end)` for parts of [0, count), from its beginning, as time allows; returns how far it
+/// came. Each part is as long as all before it, so its cost is predictable.
 template <class Search>
 std::size_t searchInTime(std::size_t count, const NearestSite& nearest, const Search& search) {
   constexpr std::size_t at_least = 64;
-  // Some five seconds of a processor.
+  // About five seconds of CPU time.
   constexpr std::uint64_t most_visited = 30'000'000;
   const std::uint64_t before = nearest.visited();
   std::size_t done = 0;
@@ -108,7 +108,7 @@ std::string wrongPlace(const CheckedCells& run, const NearImage& near, std::size
   const double rounding = run.rounding(i) + run.rounding(near.site);
   const double beyond = beyondBisector(way, run.site(i), run.weightDifference(i, near.site), p);
   return run.wrongAtAnyReach(i, [&](double reach) -> std::string {
-    // How far ends of edges stood that an outline cut is not known.
+    // The original position of ends of edges that an outline cut is unknown.
     const double own_reach = run.outline != nullptr ? run.shorter_side
                              : run.weighted         ? std::max(reach, length(way))
                                                     : length(p - run.site(i));
@@ -126,8 +126,8 @@ std::string wrongCell(const CheckedCells& run, const NearestOfPlaces& nearest, s
   return {};
 }
 
-/// How far p lies from the polygon of site i; 0 inside. A short edge may point anywhere, so that the side of
-/// its line on which p lies says nothing.
+/// Distance of p from the polygon of site i; 0 inside. A short edge may point anywhere, so the side of its
+/// line on which p lies means nothing.
 double distanceFromCell(const CheckedCells& run, std::size_t i, Point p) {
   bool inside = false;
   double nearest = std::numeric_limits<double>::infinity();
@@ -139,11 +139,12 @@ double distanceFromCell(const CheckedCells& run, std::size_t i, Point p) {
   return inside ? 0 : nearest;
 }
 
-/// Whether p lies in the cell of one of the nearest images, or as near to it as ties may have moved a vertex.
+/// Whether p lies in the cell of one of the nearest images, or within the distance by which ties may have
+/// moved a vertex.
 bool isInOneOf(const CheckedCells& run, const std::vector<NearImage>& near, Point p) {
   std::vector<std::pair<std::uint32_t, double>> off;
   for (const NearImage& image : near) {
-    // Seen from the site's own place, and then from its owner's.
+    // Relative to the site's own position, then to its owner's.
     const std::uint32_t owner = run.diagram.owner[image.site];
     off.emplace_back(owner, distanceFromCell(run, owner, p - (image.place - run.site(owner))));
   }

@@ -10,8 +10,8 @@
 namespace vorpipe::core::checks {
 namespace {
 
-/// The sites among `index`, lifted where they have weights: then, for a place of the plane, the squared
-/// distance in space is the power, |p - site|^2 - weight, and a number that is the same for all of them.
+/// The sites in `index`, lifted if they have weights. For a place in the plane, the squared distance in space
+/// is then the power, |p - site|^2 - weight, plus a constant that is the same for all sites.
 struct Cloud {
   const CheckedSites& run;
   std::vector<std::uint32_t> index;
@@ -33,11 +33,12 @@ using Metric = nanoflann::L2_Simple_Adaptor<double, Cloud, double, std::uint32_t
 template <int dimensions>
 using KdTree = nanoflann::KDTreeSingleIndexAdaptor<Metric, Cloud, dimensions, std::uint32_t>;
 constexpr std::size_t leaf_size = 16;
-/// Nodes that a search visits. What others visit is not added up: threads would wait for each other's sums.
+/// A search that visits this many nodes is long. Only long ones are counted: threads would wait for each
+/// other's sums.
 constexpr std::uint64_t long_search = 256;
 
-/// Of a search: what is nearest, and what double does not tell from it. A result set of nanoflann's, so that
-/// one descent finds both.
+/// The result of a search: the nearest point, and those that double cannot distinguish from it. This is a
+/// nanoflann result set, so one descent finds both.
 class NearestAndEqual {
  public:
   using DistanceType = double;
@@ -47,7 +48,7 @@ class NearestAndEqual {
     found_.reserve(few);
   }
 
-  /// Asked for at each node.
+  /// nanoflann calls it at each node.
   [[nodiscard]] double worstDist() const {
     ++visited_;
     return bound_;
@@ -56,7 +57,7 @@ class NearestAndEqual {
   bool addPoint(double squared, std::uint32_t point) {
     if (squared >= bound_) return true;
     found_.push_back({squared, point});
-    // What is as far as the bound is left out; the least distance is 0 at a site.
+    // Points as far as the bound are left out; the least distance is 0 at a site.
     const double bound = squared * (1 + squared_rounding) + std::numeric_limits<double>::min();
     if (bound < bound_) {
       bound_ = bound;
@@ -64,7 +65,7 @@ class NearestAndEqual {
     }
     return true;
   }
-  void sort() {}  // newer nanoflann asks for it at the end of each search; few callers need an order
+  void sort() {}  // newer nanoflann calls it at the end of each search; few callers need an order
 
   [[nodiscard]] std::uint64_t visited() const { return visited_; }
 
@@ -96,7 +97,7 @@ struct Powers {
 
 Powers powersIn(const CheckedSites& run, std::size_t i) {
   const Point p = run.site(i);
-  // A periodic domain is asked for a period around it.
+  // Queries in a periodic domain reach one period beyond it.
   const Point low =
       run.moved({run.domain.xmin, run.domain.ymin}, {run.repeats_x ? -1 : 0, run.repeats_y ? -1 : 0});
   const Point high =
@@ -109,7 +110,7 @@ Powers powersIn(const CheckedSites& run, std::size_t i) {
   return {square(x.least) + square(y.least) - weight, square(x.most) + square(y.most) - weight};
 }
 
-/// Whether another site stands where site i does, is no lighter, and is kept.
+/// Whether another site at the position of site i is no lighter, and is kept.
 bool standsWithOwner(const CheckedSites& run, std::span<const std::uint32_t> owner, std::uint32_t i) {
   if (owner.size() != run.size() || owner[i] == i || owner[i] >= run.size()) return false;
   const std::uint32_t other = owner[i];
@@ -179,10 +180,10 @@ NearestSite::~NearestSite() = default;
 std::uint32_t NearestSite::at(Point p) const {
   const NearestAndEqual near = tree_->search(p);
   const auto& index = tree_->cloud.index;
-  // A place that is no number is nearer to none than to another.
+  // NaN is not nearer to any site than to another.
   if (near.found().empty()) return index.front();
   std::uint32_t best = index[std::ranges::min(near.found()).point];
-  // Of sites near each other the squares say little; on which side of their bisector p lies, much.
+  // For sites near each other the squares are inaccurate; the side of their bisector on which p lies is not.
   const CheckedSites& run = tree_->cloud.run;
   for (const auto& other : near.found()) {
     const std::uint32_t site = index[other.point];

@@ -9,33 +9,33 @@
 
 namespace vorpipe::core::checks {
 
-/// Of a squared distance: two or three differences, squares and sums, of each of two sites, with some room.
+/// Rounding of a squared distance: two or three differences, squares and sums, for each of two sites, with
+/// some margin.
 inline constexpr double squared_rounding = 16 * epsilon;
 
-/// A kd-tree that shares nothing with what computes cells and pictures.
+/// A kd-tree that shares no code with the computation of cells and pictures.
 class NearestSite {
  public:
-  /// Keeps a reference to `run`.
-  /// `owner` is who is said to own each site's position: of sites that stand where theirs does, and are no
-  /// heavier, it alone is kept, since every place near a crowd of equal ones would be compared with all of
-  /// them.
+  /// Keeps a reference to `run`. `owner` is the claimed owner of each site's position. Sites at the position
+  /// of their owner that are no heavier are left out. Otherwise every place near a crowd of equal sites would
+  /// be compared with all of them.
   NearestSite(const CheckedSites& run, std::span<const std::uint32_t> owner);
   NearestSite(NearestSite&&) noexcept;
   ~NearestSite();
 
-  /// A site, in scaled coordinates, of least distance to p, with weights of least power; of equal ones any.
-  /// Sites near each other are told apart by the bisector between them.
+  /// A site of least distance to p (scaled coordinates), with weights of least power; of equal ones any. For
+  /// sites near each other the bisector between them decides.
   [[nodiscard]] std::uint32_t at(Point p) const;
 
-  /// All sites that double does not tell from the nearest, that first: their squared distances to p, or
-  /// powers, differ from the least by no more than rounding.
+  /// All sites that double cannot distinguish from the nearest, which comes first: their squared distances to
+  /// p, or powers, differ from the least by at most rounding.
   [[nodiscard]] std::vector<std::uint32_t> allAt(Point p) const;
 
-  /// A heaviest of the sites that may be nearest to a place; any without weights.
+  /// A heaviest one of the sites that may be nearest to a place; any site without weights.
   [[nodiscard]] std::uint32_t heaviest() const;
 
-  /// Number of tree nodes visited by long searches so far. Most searches are short; they are long
-  /// where most sites are about as far, as seen from the center of a circle.
+  /// Number of tree nodes visited by long searches so far. Most searches are short; long ones occur if most
+  /// sites are about equally far, as from the center of a circle.
   [[nodiscard]] std::uint64_t visited() const;
 
  private:

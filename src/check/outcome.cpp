@@ -18,8 +18,8 @@ std::size_t hash(Point p) {
   return bits ^ bits >> 32;
 }
 
-/// For each site the one that owns its position: the heaviest, then the first. In a periodic domain weights
-/// are compared as scaled, which rounds those below 1e-308.
+/// For each site, the owner of its position: the heaviest, then the first. In a periodic domain scaled
+/// weights are compared, which rounds those below 1e-308.
 std::vector<std::uint32_t> ownersOfPositions(const CheckedSites& run) {
   const SitePlaces places(run);
   std::vector<std::uint32_t> slots(std::bit_ceil(2 * run.size() + 1), no_site), first(run.size());
@@ -45,7 +45,7 @@ std::vector<std::uint32_t> ownersOfPositions(const CheckedSites& run) {
 }  // namespace
 
 bool checkOutcome(const CheckedSites& run, const Outcome& outcome, Broken& broken) {
-  // Not by a structured binding, which lambdas of Clang before 16 cannot name.
+  // No structured binding, which lambdas of Clang before 16 cannot capture.
   const std::span<const Status> status = outcome.status;
   const std::span<const std::uint32_t> owner = outcome.owner;
   const Report& report = outcome.report;

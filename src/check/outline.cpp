@@ -67,7 +67,7 @@ double CheckedOutline::area(std::span<const Point> ring, Point origin) const {
   double sum = 0;
   std::vector<Point> part;
   for (std::size_t e = 0; e < edges_.size(); ++e) {
-    // What of the ring lies below an edge.
+    // The part of the ring below an edge.
     Point a = edges_[e].a - origin, b = edges_[e].b - origin;
     const double sign = a.x > b.x ? 1 : -1;
     if (a.x > b.x) std::swap(a, b);

@@ -1,4 +1,4 @@
-/// What is checked where the domain has an outline.
+/// Checks for a domain with an outline.
 #pragma once
 
 #include <cstddef>
@@ -13,7 +13,7 @@
 
 namespace vorpipe::core::checks {
 
-/// An outline in scaled coordinates, which shares nothing with what clips cells.
+/// An outline in scaled coordinates, which shares no code with clipping.
 class CheckedOutline {
  public:
   explicit CheckedOutline(const CheckedSites& run);
@@ -23,26 +23,26 @@ class CheckedOutline {
     Point a, b;
   };
   [[nodiscard]] const std::vector<Edge>& edges() const { return edges_; }
-  /// Calls take(k) for each edge k that may come as near to p as `slack`.
+  /// Calls take(k) for each edge k that may come within `slack` of p.
   template <class Take>
   void eachNear(Point p, double slack, const Take& take) const {
     eachMeeting(grown(boxAround(p, p), slack), take);
   }
-  /// The same for the box of each.
+  /// Calls take(k) for each edge k whose box meets `box`.
   template <class Take>
   void eachMeeting(const Box& box, const Take& take) const {
     tree_->eachMeeting(box, take);
   }
 
   enum class Side : std::uint8_t { inside, outside, edge };
-  /// Where p lies; `edge` if no farther than `slack` from one.
+  /// The location of p; `edge` if it is within `slack` of an edge.
   [[nodiscard]] Side at(Point p, double slack) const;
 
   /// The area inside both the outline and the domain, in the caller's units.
   [[nodiscard]] double area() const;
-  /// The area inside both the outline and a convex ring, scaled, whose points are seen from `origin`.
+  /// The area inside both the outline and a convex ring, scaled; its points are relative to `origin`.
   [[nodiscard]] double area(std::span<const Point> ring, Point origin) const;
-  /// Of all edges, scaled.
+  /// The length of all edges, scaled.
   [[nodiscard]] double length() const;
 
  private:
@@ -51,37 +51,38 @@ class CheckedOutline {
   std::optional<BoxTree> tree_;  ///< of the edges
 };
 
-/// What is wrong with the area of cell i, beside what the bisectors with all sites leave of the domain, and
-/// of the outline if there is one. The domain does not repeat. Takes a step for each site.
+/// What is wrong with the area of cell i, compared with the part of the domain, and of the outline if any,
+/// that the bisectors with all sites leave. The domain does not repeat. Takes one step for each site.
 std::string wrongArea(const CheckedCells& run, const CheckedOutline* outline, std::size_t i);
 
-/// The same of some cells: of the thinnest, whose polygons ties change most. None where the domain repeats.
+/// Checks the same for the thinnest cells, whose polygons ties change most. Does nothing if the domain
+/// repeats.
 void checkThinAreas(const CheckedCells& run, const CheckedOutline* outline, Broken& broken);
 
-/// What is wrong with the rings of cell i as polygons: each runs without crossing or touching itself, the
-/// outer ones counter-clockwise and apart from each other but for points, each followed by its holes, which
-/// run clockwise inside of it and leave its inside in one piece. All of it exactly, of the vertices as they
-/// are written; but what rounding and ties may have brought together may touch, unless the sites and the
-/// outline say that it is one place.
+/// What is wrong with the rings of cell i as polygons. Each ring must not cross or touch itself. Outer ones
+/// are counter-clockwise, and apart from each other except for points. Each is followed by its holes, which
+/// run clockwise inside of it and leave its inside in one piece. The test is exact, on the vertices as
+/// written. Edges that rounding and ties may have brought together may touch, unless the sites and the
+/// outline show that they meet in one place.
 std::string wrongShape(const CheckedCells& run, const CheckedOutline& outline, std::size_t i);
 
-/// Whether a place p lies in a side or corner of the outline, but for rounding, that lies in the bisector of
-/// two sites exactly.
+/// Whether p lies, up to rounding, on a side or corner of the outline that lies exactly on the bisector of
+/// two sites.
 bool isWhereSideIsBisector(const CheckedCells& run, const CheckedOutline& outline, std::size_t i,
                            std::size_t j, Point p);
 
-/// Edges along the outline and along walls: each lies on a side, and all sides of the inside are covered
-/// once; what two cells share does not lie in a side, however the bisector runs.
+/// Checks edges along the outline and along walls: each lies on a side, and all sides of the inside are
+/// covered once. The common edge of two cells does not lie on a side, whatever the bisector.
 void checkBorder(const CheckedCells& run, const CheckedOutline& outline, Broken& broken);
 
-/// The promises about cells that are clipped to an outline: rings and their measures; edges on the bisector
-/// and in the neighbor's list, from the same point to the same, or on the outline; vertices of cells are
-/// nearest to their sites; pseudo-random places of the inside lie in the cell of their nearest site, others
-/// in none.
+/// Checks the promises about cells that are clipped to an outline: rings and their measures; edges that lie
+/// on the bisector and in the neighbor's list, with the same ends, or on the outline; vertices of cells that
+/// are nearest to their sites; pseudo-random places, which lie in the cell of their nearest site if inside,
+/// else in none.
 ///
-/// That is a proof (decision D125). What two cells share cancels, and what is left of all rings is the
+/// That is a proof (decision D125). Common edges of two cells cancel, and the rest of all rings is the
 /// outline, once: so the cells lie side by side and fill it. No site is nearer to a vertex of a cell than its
-/// own, so none is to any place inside; so cells are what they should be, and their common edges are, too.
+/// own, hence none is nearer to any place inside. So the cells are correct, and so are their common edges.
 void checkClipped(const CheckedCells& run, const CheckedOutline& outline, const NearestSite& nearest,
                   Broken& broken);
 

@@ -13,7 +13,7 @@ namespace {
 
 constexpr std::uint64_t sampled_pixels = std::uint64_t{1} << 22;
 
-/// The pixels of a picture, and those of them that show the domain.
+/// The pixels of a picture, and those that show the domain.
 struct Pixels {
   Pixels(const CheckedSites& run, const RenderOptions& options, const Image& of)
       : image(of), frame(shownFrame(options)), of_domain(domainFrame(options)) {
@@ -37,7 +37,7 @@ struct Pixels {
     const int down = row(pixel) - of_domain.top, right = column(pixel) - of_domain.left;
     return down >= 0 && down < of_domain.height && right >= 0 && right < of_domain.width;
   }
-  /// As run.site counts places.
+  /// Relative to the same origin as run.site.
   [[nodiscard]] Point centerOf(std::size_t pixel) const {
     const double right = (column(pixel) - frame.left + 0.5) / frame.width;
     const double down = (row(pixel) - frame.top + 0.5) / frame.height;
@@ -45,12 +45,12 @@ struct Pixels {
   }
 
   const Image& image;
-  PictureFrame frame;      ///< what shows the view
-  PictureFrame of_domain;  ///< and of that the domain
-  Box shown{};             ///< in the frame, as run.site counts places
+  PictureFrame frame;      ///< the part that shows the view
+  PictureFrame of_domain;  ///< its part that shows the domain
+  Box shown{};             ///< the box in the frame, with the same origin as run.site
 };
 
-/// Of coordinates in the domain.
+/// Largest absolute coordinate in the domain.
 double extentOf(const CheckedSites& run) {
   const Box& box = run.domain;
   return std::max({std::abs(box.xmin), std::abs(box.xmax), std::abs(box.ymin), std::abs(box.ymax)});
@@ -58,7 +58,7 @@ double extentOf(const CheckedSites& run) {
 
 bool isSampled(std::size_t pixel, std::size_t pixels) {
   const std::uint64_t every = (pixels + sampled_pixels - 1) / sampled_pixels;
-  // Multiplied, so that the samples do not stand in columns.
+  // Multiplied so that the samples do not form columns.
   return (pixel * 0x9E3779B97F4A7C15u >> 32) % every == 0;
 }
 
@@ -71,7 +71,7 @@ std::uint32_t trueId(const CheckedSites& run, const Pixels& pixels, const Render
   const NearImage own = imageNear(run, id, p);
   const Point way = wayTo(run, own, near);
   if (dot(way, way) == 0) return id;
-  // The bisector is that of two differences, and its place and that of p are as exact as these are long.
+  // The bisector follows from two differences; its position and that of p are as accurate as these are long.
   const double weight_difference = run.weightDifference(id, near.site);
   const double lengths =
       length(p - own.place) + length(p - near.place) + std::abs(weight_difference) / length(way);
@@ -79,20 +79,20 @@ std::uint32_t trueId(const CheckedSites& run, const Pixels& pixels, const Render
   return beyondBisector(way, own.place, weight_difference, p) <= rounding ? id : rendering.owner[near.site];
 }
 
-/// Whether a pixel without a site may be one, and the other way round: a pixel whose center is as near to the
-/// outline as rounding is may go to either.
+/// Whether a pixel may have no site if `outside`, else whether it may have one. A pixel whose center is as
+/// near to the outline as rounding may belong to either side.
 bool mayBeOutside(const CheckedSites& run, const CheckedOutline& outline, Point center, bool outside) {
   using Side = CheckedOutline::Side;
   const Side side = outline.at(center, run.largest * 16 * epsilon);
   return side == Side::edge || (side == Side::outside) == outside;
 }
 
-/// A pixel on the outline may go to a site on its other side, which then may have no cell.
+/// A pixel on the outline may belong to a site on its other side, which then may have no cell.
 bool isOnOutline(const CheckedSites& run, const std::optional<CheckedOutline>& outline, Point center) {
   return outline && mayBeOutside(run, *outline, center, true) && mayBeOutside(run, *outline, center, false);
 }
 
-/// Pixels outside an outline have no site; of larger pictures those that are sampled.
+/// Checks that pixels outside an outline have no site; in larger pictures, only sampled pixels.
 void checkOutside(const CheckedSites& run, const CheckedOutline& outline, const Pixels& pixels,
                   Broken& broken) {
   const Image& image = pixels.image;
@@ -125,7 +125,7 @@ bool checkCovered(const CheckedSites& run, const Pixels& pixels, const Rendering
   });
 }
 
-/// The ids as they should be, where they are sampled.
+/// The correct ids, for sampled pixels.
 std::vector<std::uint32_t> trueIds(const CheckedSites& run, const Pixels& pixels,
                                    const Rendering& rendering) {
   const NearestSite nearest(run, rendering.owner);

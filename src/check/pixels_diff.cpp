@@ -39,9 +39,9 @@ struct Images {
   [[nodiscard]] auto all() const { return std::span(place).first(count); }
 };
 
-/// Distance in pixels from the center of a pixel to the bisector of two sites, by weight; infinite where
-/// there is no bisector. Only differences of coordinates are used, so that it holds far from the origin. Of
-/// sites in a periodic domain, which stand in it, the nearest images count; they are as exact as its periods.
+/// Distance in pixels from the center of a pixel to the bisector of two sites, with weights; infinite if
+/// there is no bisector. It uses only differences of coordinates, so it holds far from the origin. In a
+/// periodic domain, which contains its sites, the nearest images count; they are as exact as its periods.
 class BisectorDistance {
  public:
   BisectorDistance(const Sites& sites, const Box& domain, PixelGrid grid,
@@ -71,7 +71,7 @@ class BisectorDistance {
  private:
   static constexpr double none = std::numeric_limits<double>::infinity();
 
-  /// The nearest image of a site, and those that are farther by less than a pixel.
+  /// The nearest image of a site, and images farther by less than a pixel.
   [[nodiscard]] Images imagesNear(int row, int column, std::uint32_t i) const {
     const Point site{sites_->x[i], sites_->y[i]};
     if (periods_[0] == 0 && periods_[1] == 0) return {{site}, 1};
@@ -99,11 +99,11 @@ class BisectorDistance {
 
   [[nodiscard]] double between(int row, int column, Point at_a, Point at_b, double weight_difference) const {
     const double ax = at_a.x, ay = at_a.y, bx = at_b.x, by = at_b.y;
-    // The bisector's normal: with pixels that are not square it is not along b - a on the picture.
+    // The bisector's normal: in the picture it is not along b - a if pixels are not square.
     const double nx = (bx - ax) / pixel_x_ * metric_x_;
     const double ny = (by - ay) / pixel_y_ * metric_y_;
     const double length = std::hypot(nx, ny);
-    // Twice the way from the midpoint of the sites to the center, y upward.
+    // Twice the vector from the midpoint of the sites to the center, y upward.
     const double x = 2 * (column + 0.5) - (ax - domain_.xmin) / pixel_x_ - (bx - domain_.xmin) / pixel_x_;
     const double y = (domain_.ymax - ay) / pixel_y_ + (domain_.ymax - by) / pixel_y_ - 2 * (row + 0.5);
     const double moved = weight_difference / longer_ / longer_ / length;
@@ -113,7 +113,7 @@ class BisectorDistance {
 
   const Sites* sites_;
   Box domain_;
-  std::array<double, 2> periods_;  ///< along x and y; 0 where the domain does not repeat
+  std::array<double, 2> periods_;  ///< along x and y; 0 if the domain does not repeat
   double pixel_x_, pixel_y_, longer_;
   double metric_x_ = 1, metric_y_ = 1;
 };
@@ -126,7 +126,7 @@ bool besideBoundary(Ids ids, PixelGrid grid, int row, int column) {
          ids[grid.at(row, column - 1)] != id || ids[grid.at(row, column + 1)] != id;
 }
 
-/// Pixel sides at which a cell ends.
+/// Number of pixel sides at which a cell ends.
 std::uint64_t boundaryLength(Ids ids, PixelGrid grid) {
   std::uint64_t length =
       2 * (static_cast<std::uint64_t>(grid.width) + static_cast<std::uint64_t>(grid.height));
@@ -146,8 +146,8 @@ void addWrong(IdDiff& diff, const IdDifference& place) {
   ++diff.wrong;
 }
 
-/// `pictures` is the grid of all pixels, `frame` that of those that show the domain. `distance` answers for a
-/// differing pixel of the frame, as BisectorDistance does.
+/// `pictures` is the grid of all pixels, `frame` that of those that show the domain. `distance` returns the
+/// distance for a differing pixel of the frame, as BisectorDistance does.
 template <class Distance>
 IdDiff compare(Ids a, Ids b, PixelGrid pictures, PixelGrid frame, const Distance& distance) {
   assert(a.size() == pictures.size() && b.size() == pictures.size());
@@ -186,7 +186,8 @@ int channelDifference(std::uint32_t a, std::uint32_t b) {
   return largest;
 }
 
-/// The periods of a domain whose corners are rounded as its sites are: images of twins are twins by that.
+/// The periods of a domain whose corners are rounded as sides of the domain are: this makes images of twins
+/// twins.
 Result<std::array<double, 2>> periodsOf(const Box& domain, Periodic periodic) {
   const auto corners =
       wrapped({{domain.xmin, domain.xmax}, {domain.ymin, domain.ymax}, {}}, domain, periodic);
@@ -225,7 +226,7 @@ Result<IdDiff> diffIds(Ids a, Ids b, const Sites& sites, const RenderOptions& op
   const PictureFrame frame = shownFrame(options), shown = domainFrame(options);
   const PixelGrid grid{shown.width, shown.height, options.width, shown.top, shown.left};
   const PixelGrid of_view{frame.width, frame.height};
-  // Pixels of the domain, counted where the view begins.
+  // Pixels of the domain, numbered from the beginning of the view.
   const auto compareBy = [&](const BisectorDistance& distance) {
     const int down = shown.top - frame.top, right = shown.left - frame.left;
     return compare(a, b, pictures, grid, [&](int row, int column, std::uint32_t of_a, std::uint32_t of_b) {

@@ -39,7 +39,7 @@ void cutRing(Point normal, double offset, std::vector<Point>& ring) {
     if ((at_a < 0) == (at_b < 0)) continue;
     const double along = at_a / (at_a - at_b);
     Point p{a.x + along * (b.x - a.x), a.y + along * (b.y - a.y)};
-    // Along an axis the line is met exactly.
+    // On an axis-parallel line the point is exact.
     if (normal.y == 0) p.x = offset / normal.x;
     if (normal.x == 0) p.y = offset / normal.y;
     kept.push_back(p);

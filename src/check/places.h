@@ -1,4 +1,4 @@
-/// Places of the domain that checks ask for, and where they lie beside an edge.
+/// Sample places of the domain for checks, and their position relative to an edge.
 #pragma once
 
 #include <bit>
@@ -14,12 +14,12 @@ namespace vorpipe::core::checks {
 
 using Random = std::mt19937_64;
 
-/// Anywhere in the domain, the same on every platform: 256 for each site, but 2,000 at least and 20,000 at
-/// most. Of nine sites 20,000 took ten times as long as all other checks together.
+/// Places anywhere in the domain, the same on every platform: 256 for each site, but at least 2,000 and at
+/// most 20,000. With nine sites, 20,000 took ten times as long as all other checks together.
 std::vector<Point> samplePlaces(const CheckedCells& run, Random& random);
 
-/// What places are sorted by: their bits, since in broken diagrams some are no numbers, which have no order.
-/// 0 and -0 are one place.
+/// Sort key of places: their bits, since in broken diagrams some are NaN, which has no order. 0 and -0 are
+/// the same place.
 struct PlaceKey {
   explicit PlaceKey(Point p)
       : x(std::bit_cast<std::uint64_t>(p.x + 0.0)), y(std::bit_cast<std::uint64_t>(p.y + 0.0)) {}
@@ -27,17 +27,17 @@ struct PlaceKey {
   auto operator<=>(const PlaceKey&) const = default;
 };
 
-/// From p to the nearest point of the way from a to b.
+/// Distance from p to the nearest point of the segment from a to b.
 double distance(Point p, Point a, Point b);
 
-/// The part of a ring where dot(p, normal) <= offset (Sutherland and Hodgman 1974), in its place. Parts
-/// of other rings that lie apart are joined along the line, which does not change the area.
+/// Reduces a ring to its part where dot(p, normal) <= offset (Sutherland and Hodgman 1974), in place.
+/// Separate parts of the result are joined along the line, which does not change the area.
 void cutRing(Point normal, double offset, std::vector<Point>& ring);
 
-/// Of a ring that runs counter-clockwise.
+/// The area of a counter-clockwise ring.
 double areaOf(std::span<const Point> ring);
 
-/// Whether the way from a to b crosses the ray from p to the right.
+/// Whether the segment from a to b crosses the ray from p to the right.
 bool crossesRay(Point p, Point a, Point b);
 
 }  // namespace vorpipe::core::checks

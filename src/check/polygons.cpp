@@ -8,12 +8,12 @@
 namespace vorpipe::core::checks {
 namespace {
 
-/// Of a sum of a cell's own numbers.
+/// Relative error of a sum of a cell's own numbers.
 constexpr double sum_slack = 1e-9;
 
-/// What may separate the vertices of a cell from where they belong.
+/// The possible distance of a cell's vertices from their true positions.
 struct Slack {
-  double reach = 0;     ///< as CheckedCells has it
+  double reach = 0;     ///< as in CheckedCells
   double rounding = 0;  ///< of a coordinate
   double ties = 0;      ///< how far they may move a vertex
   [[nodiscard]] double position() const { return ties + rounding; }
@@ -23,7 +23,7 @@ Slack slackOf(const CheckedCells& run, std::size_t i, double reach) {
   return {reach, run.rounding(i), run.ties(reach)};
 }
 
-/// The outward unit normal of edge e of cell i, from its neighbor alone.
+/// The outward unit normal of edge e of cell i, computed only from its neighbor.
 Point normalOf(const CheckedCells& run, std::size_t i, std::size_t e) {
   const std::int64_t neighbor = run.diagram.neighbors[e];
   if (neighbor >= 0) {
@@ -73,7 +73,7 @@ std::string wrongEdge(const CheckedCells& run, std::size_t i, std::size_t e, con
                                   run.repeats_y ? 0 : std::max(box.ymin - a.y, a.y - box.ymax));
   if (!(outside <= run.rounding(i))) return "leaves the domain";
   const Point c = run.vertex(run.next(i, run.next(i, e)));
-  // Each of the three may be where another tie has moved it.
+  // Each of the three vertices may have been moved by another tie.
   const double sides = length(b - a) + length(c - b) + length(c - a);
   if (!(cross(b - a, c - b) >= -slack.position() * sides)) return "turns clockwise at its end";
   return {};
@@ -82,13 +82,13 @@ std::string wrongEdge(const CheckedCells& run, std::size_t i, std::size_t e, con
 struct Sums {
   Point gap{0, 0};
   double perimeter = 0, area = 0;
-  Point origin{0, 0};  ///< the first vertex: a site may be so far away that differences are lost
+  Point origin{0, 0};  ///< the first vertex: differences from a far site would lose all digits
   Point first{0, 0};   ///< moments about the origin
   std::array<double, 3> second{};
 };
 
-/// Over the triangles of the origin and each edge. Edge lengths along the normals that the neighbors give
-/// add up to nothing in a closed polygon.
+/// Sums over the triangles of the origin and each edge. In a closed polygon, edge lengths along the normals
+/// that the neighbors give sum to zero.
 Sums sumsOf(const CheckedCells& run, std::size_t i) {
   const Diagram& d = run.diagram;
   Sums sums;
@@ -109,7 +109,7 @@ Sums sumsOf(const CheckedCells& run, std::size_t i) {
   return sums;
 }
 
-/// Centroid and second moments against the vertices; `rounding` is of the area.
+/// Compares centroid and second moments with the vertices; `rounding` is that of the area.
 std::string wrongMoments(const CheckedCells& run, std::size_t i, const Sums& sums, const Slack& slack,
                          double rounding) {
   const Diagram& d = run.diagram;
@@ -138,8 +138,8 @@ std::string wrongMoments(const CheckedCells& run, std::size_t i, const Sums& sum
   return {};
 }
 
-/// How far edges that lie in the lines of their neighbors, each as long as it is written, may be from
-/// closing: by as much as ties have turned them. Without weights that is within what each vertex is held to.
+/// The possible gap between the ends of the chain of edges, each on its neighbor's line and as long as
+/// written, from ties that turned them. Without weights it is within the tolerance of each vertex.
 double turnedByTies(const CheckedCells& run, std::size_t i) {
   double turned = 0;
   for (std::size_t e = run.begin(i); e < run.end(i) && run.weighted; ++e) {
@@ -149,9 +149,9 @@ double turnedByTies(const CheckedCells& run, std::size_t i) {
   return turned;
 }
 
-/// By how much the area of a cell before ties join vertices, which is what is written, may differ from what
-/// the vertices enclose. Each edge in truth lies in its line, which its vertices may be off; and around each
-/// vertex a place as wide as ties may belong to any of the cells that meet there.
+/// The possible difference between the area of a cell before ties join vertices, which the record has, and
+/// the area that the vertices enclose. Each true edge lies on its line, which its vertices may be off. Around
+/// each vertex, a region as wide as ties may belong to any of the cells that meet there.
 double movedByTies(const CheckedCells& run, std::size_t i, const Slack& slack) {
   double moved = static_cast<double>(run.edges(i)) * 4 * slack.position() * slack.position();
   for (std::size_t e = run.begin(i); e < run.end(i); ++e) {
@@ -163,7 +163,8 @@ double movedByTies(const CheckedCells& run, std::size_t i, const Slack& slack) {
   return moved;
 }
 
-/// Of a cell all of whose edges are ties. How small that makes it depends on how far its neighbors are.
+/// What is wrong with a cell whose edges are all ties. How small that makes it depends on the distance of its
+/// neighbors.
 std::string wrongUnedged(const CheckedCells& run, std::size_t i) {
   const double area = run.diagram.area[i] * run.scale * run.scale;
   const bool right = run.weighted && area >= 0 && area <= tie_slack && run.diagram.perimeter[i] == 0;
@@ -192,8 +193,8 @@ std::string wrongCell(const CheckedCells& run, std::size_t i, const Slack& slack
     return fmt::format("has area {}, its vertices enclose {}", d.area[i],
                        sums.area / (run.scale * run.scale));
   }
-  // Ties may take every edge from a cell only where the site does not lie in the domain, or has a weight. Two
-  // are left of a strip between sites so near that the strip's ends are ties.
+  // Ties may remove every edge of a cell only if the site lies outside the domain or has a weight. Two edges
+  // are left of a strip between sites so close that the strip's ends are ties.
   const bool inside = run.inDomain(run.site(i)) && !run.weighted;
   const bool filled = inside && edges >= 3 ? area > 0 : area >= -rounding && (edges >= 2 || !inside);
   if (!filled) return fmt::format("has {} edges and area {}", edges, d.area[i]);

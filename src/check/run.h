@@ -1,4 +1,4 @@
-/// A run's result as the checks see it. Nothing here relies on what computed it.
+/// A run's result for the checks. Nothing here relies on the code that computed it.
 #pragma once
 
 #include <algorithm>
@@ -19,7 +19,7 @@ namespace vorpipe::core::checks {
 
 inline constexpr double epsilon = std::numeric_limits<double>::epsilon();
 
-/// How many periods an image stands from its site, along x and along y.
+/// Offset of an image from its site in periods, along x and along y.
 using Shift = std::array<std::int32_t, 2>;
 
 inline Point operator-(Point a, Point b) { return {a.x - b.x, a.y - b.y}; }
@@ -27,24 +27,24 @@ inline double dot(Point a, Point b) { return a.x * b.x + a.y * b.y; }
 inline double cross(Point a, Point b) { return a.x * b.y - a.y * b.x; }
 inline double length(Point a) { return std::sqrt(dot(a, a)); }
 
-/// Of a cell's reach, or of the domain's shorter side if that is less: how far ties, each shorter than 1e-6
-/// of either, may move a vertex. A vertex stands for all that they join, which are more where weights make
-/// many cells nearly meet in a point.
+/// How far ties, each shorter than 1e-6 of this unit, may move a vertex; the unit is the cell's reach, or the
+/// domain's shorter side if that is less. A vertex stands for all corners that ties join. With weights there
+/// are more, because many cells may nearly meet in a point.
 inline constexpr double tie_slack = 1e-5, weighted_tie_slack = 1e-4;
 
-/// How far p lies beyond the bisector of two sites, seen from the first, which is heavier by
-/// `weight_difference`; d is the way from there to the other.
+/// How far p lies beyond the bisector of two sites, seen from the first, which is at `from` and heavier by
+/// `weight_difference`; d is the vector to the other.
 inline double beyondBisector(Point d, Point from, double weight_difference, Point p) {
   return dot(p - from, d) / length(d) - (length(d) + weight_difference / length(d)) / 2;
 }
 
-/// Near an axis a scaled coordinate counts as a multiple of 2^-199, be it of a site or of a wall.
+/// Rounds a scaled coordinate near an axis, of a site or of a wall, to a multiple of 2^-199.
 inline double countedCoordinate(double scaled) {
   return std::abs(scaled) < 0x1p-148 ? std::rint(scaled * 0x1p199) * 0x1p-199 : scaled;
 }
 
-/// The power of two that brings the domain's longer side into [1, 2), so that no square of a length is
-/// out of a double's range.
+/// The power of two that scales the domain's longer side into [1, 2), so that squared lengths stay in a
+/// double's range.
 inline double scaleOf(const Box& domain) {
   constexpr int most = 1000;  // beyond, the power itself is out of range
   int exponent = 0;
@@ -52,11 +52,11 @@ inline double scaleOf(const Box& domain) {
   return std::ldexp(1.0, std::clamp(1 - exponent, -most, most));
 }
 
-/// The places that a periodic domain's corners have among its sites, lower left and upper right: the
+/// The positions of a periodic domain's corners relative to its sites, lower left and upper right: the
 /// caller's, rounded as sites are. Errors: those of wrapped().
 Result<std::array<Point, 2>> placedCorners(const Box& domain, Periodic periodic);
 
-/// The sites of a run and its domain, scaled. Those of a periodic domain are as wrapped() has them.
+/// The sites of a run and its domain, scaled. Sites of a periodic domain are as wrapped() returns them.
 struct CheckedSites {
   CheckedSites(const Sites& of, const Box& box, Periodic periodic, int thread_count)
       : sites(of),
@@ -83,15 +83,15 @@ struct CheckedSites {
   [[nodiscard]] Point site(std::size_t i) const {
     return {sites.x[i] * scale - base.x, sites.y[i] * scale - base.y};
   }
-  /// The way from site i to the image of site j at `shift` periods from it. Of sites near each other it is
-  /// exact, wherever places are counted from: a bisector that is turned is far off where it is far from its
-  /// sites. In a periodic domain, places and periods are multiples of one quantum.
+  /// The vector from site i to the image of site j at `shift` periods from it. For sites near each other it
+  /// is exact, whatever the origin: a slightly turned bisector is far off at a distance from its sites. In a
+  /// periodic domain, positions and periods are multiples of one quantum.
   [[nodiscard]] Point way(std::size_t i, std::size_t j, Shift shift = {0, 0}) const {
     return {(sites.x[j] - sites.x[i]) * scale + shift[0] * period.x,
             (sites.y[j] - sites.y[i]) * scale + shift[1] * period.y};
   }
-  /// Counts places from the domain's corner, along axes where that rounds no site in it or beside it: pixels
-  /// are parts of the domain, and far from the origin a double might not hold their centers.
+  /// Moves the origin to the domain's corner, along axes where that rounds no site in it or beside it. Pixels
+  /// are fractions of the domain, and far from the origin doubles may be unable to represent their centers.
   void countFromCorner() {
     const auto along = [](double low, double high) {
       const bool is_far =
@@ -106,7 +106,7 @@ struct CheckedSites {
     return (weighted ? weighted_tie_slack : tie_slack) * std::min(reach, shorter_side);
   }
   [[nodiscard]] bool repeats() const { return repeats_x || repeats_y; }
-  /// Whether cells may reach so far that ties are as long as a period.
+  /// Whether cells may reach so far that ties become as long as a period.
   [[nodiscard]] bool mayBeNarrow() const { return shortestPeriod() < 100 * tie_slack; }
   [[nodiscard]] double shortestPeriod() const {
     constexpr double none = std::numeric_limits<double>::infinity();
@@ -116,14 +116,14 @@ struct CheckedSites {
   [[nodiscard]] Point moved(Point p, Shift shift) const {
     return {p.x + shift[0] * period.x, p.y + shift[1] * period.y};
   }
-  /// By how much site i is heavier than site j.
+  /// How much heavier site i is than site j.
   [[nodiscard]] double weightDifference(std::size_t i, std::size_t j) const {
     return weighted ? (sites.weight[i] - sites.weight[j]) * scale * scale : 0;
   }
   [[nodiscard]] bool inDomain(Point p) const {
     return p.x >= domain.xmin && p.x <= domain.xmax && p.y >= domain.ymin && p.y <= domain.ymax;
   }
-  /// What a coordinate beside site i may have lost to rounding.
+  /// The possible rounding error of a coordinate near site i.
   [[nodiscard]] double rounding(std::size_t i) const {
     constexpr double steps = 16;
     return steps * epsilon * std::max({largest, std::abs(sites.x[i] * scale), std::abs(sites.y[i] * scale)});
@@ -135,16 +135,16 @@ struct CheckedSites {
   int threads;
   double scale;
   Box domain{};
-  Point base{0, 0};    ///< what the scaled places of sites and of the domain are counted from
-  double largest = 0;  ///< coordinate of the domain, from the origin
+  Point base{0, 0};    ///< origin of the scaled positions of sites and of the domain
+  double largest = 0;  ///< largest absolute coordinate of the domain
   double shorter_side = 0;
-  Point period{0, 0};                ///< of its axes that repeat; of others the domain's side
+  Point period{0, 0};                ///< along axes that repeat; along others the domain's side
   std::array<Point, 2> corners{};    ///< those of placedCorners(), if the domain repeats
   bool weighted = false;             ///< the weights are not all equal
   const Outline* outline = nullptr;  ///< of the domain, if it has one
 };
 
-/// Cells of such sites. Vertices and sites are scaled; other lengths are as the diagram has them.
+/// Cells of such sites. Vertices and sites are scaled; other lengths are as in the diagram.
 struct CheckedCells : CheckedSites {
   CheckedCells(const Sites& of, const CellsOptions& options, const Diagram& result, int thread_count)
       : CheckedSites(of, options.domain, options.periodic, thread_count),
@@ -159,7 +159,7 @@ struct CheckedCells : CheckedSites {
   [[nodiscard]] std::size_t begin(std::size_t i) const { return diagram.cell_offsets[i]; }
   [[nodiscard]] std::size_t end(std::size_t i) const { return diagram.cell_offsets[i + 1]; }
   [[nodiscard]] std::size_t edges(std::size_t i) const { return end(i) - begin(i); }
-  /// What follows vertex or edge e of cell i, and what it follows.
+  /// The successor of vertex or edge e of cell i, and its predecessor.
   [[nodiscard]] std::size_t next(std::size_t i, std::size_t e) const {
     return e + 1 < end(i) ? e + 1 : begin(i);
   }
@@ -169,16 +169,16 @@ struct CheckedCells : CheckedSites {
   [[nodiscard]] Point vertex(std::size_t e) const {
     return {diagram.vertices[e].x * scale, diagram.vertices[e].y * scale};
   }
-  /// How many widths and heights of the domain the neighbor across edge e stands from its own place.
+  /// The offset, in widths and heights of the domain, of the neighbor across edge e from its own position.
   [[nodiscard]] Shift shift(std::size_t e) const {
     return repeats() ? diagram.neighbor_shifts[e] : Shift{0, 0};
   }
-  /// From site i to the neighbor across edge e of its cell, which is a site.
+  /// The vector from site i to the neighbor across edge e of its cell, which is a site.
   [[nodiscard]] Point neighborWay(std::size_t i, std::size_t e) const {
     return way(i, static_cast<std::size_t>(diagram.neighbors[e]), shift(e));
   }
-  /// How far what determines the vertices of cell i may be from its site, by which ties are measured. Without
-  /// weights, neighbors are no farther than twice as far as vertices.
+  /// How far from its site the sites that determine the vertices of cell i may be; ties are measured by this.
+  /// Without weights, neighbors are at most twice as far as vertices.
   [[nodiscard]] double reach(std::size_t i) const {
     double reach = 0;
     const Point own = site(i);
@@ -190,7 +190,7 @@ struct CheckedCells : CheckedSites {
     return reach;
   }
 
-  /// The same with the neighbors of neighbors: a vertex stands for ties of these among each other as well.
+  /// The same with the neighbors of neighbors: a vertex also stands for ties among these.
   [[nodiscard]] double widerReach(std::size_t i) const {
     double wider = reach(i);
     for (std::size_t e = begin(i); e < end(i); ++e) {
@@ -201,8 +201,8 @@ struct CheckedCells : CheckedSites {
     return wider;
   }
 
-  /// The same with every site whose bisector passes as near to a vertex of cell i as ties with it may move
-  /// one: the cells nearly meet there, and ties may have taken all edges between them.
+  /// The same with every site whose bisector passes so close to a vertex of cell i that ties with it may move
+  /// the vertex. The cells nearly meet there, and ties may have removed all edges between them.
   [[nodiscard]] double widestReach(std::size_t i) const {
     std::call_once(widest_asked_, [this] { widest_.assign(size(), 0); });
     const std::atomic_ref known(widest_[i]);
@@ -213,7 +213,8 @@ struct CheckedCells : CheckedSites {
     return widest;
   }
 
-  /// What `wrong(reach)` says of cell i, where with weights it has something to say of all three reaches.
+  /// What `wrong(reach)` reports for cell i; with weights, only if it reports something for all three
+  /// reaches.
   template <class Wrong>
   [[nodiscard]] std::string wrongAtAnyReach(std::size_t i, const Wrong& wrong) const {
     std::string text = wrong(reach(i));
@@ -229,7 +230,7 @@ struct CheckedCells : CheckedSites {
  private:
   [[nodiscard]] double findWidestReach(std::size_t i) const {
     double widest = widerReach(i);
-    // Ties are no longer for a reach beyond the domain's shorter side.
+    // A reach beyond the domain's shorter side makes ties no longer.
     for (std::size_t j = 0; j < size() && widest < shorter_side; ++j) {
       const Point to = way(i, j);
       const double away = length(to);
@@ -255,8 +256,8 @@ class Broken {
   [[nodiscard]] bool none() const { return lines_.empty(); }
   [[nodiscard]] std::vector<std::string> take() { return std::move(lines_); }
 
-  /// Adds a line when `test(i)`, what is wrong with i or nothing, is not empty for some i below count: the
-  /// first of them, and how many there are. Returns whether the promise holds.
+  /// Adds a line if `test(i)`, what is wrong with i or nothing, is not empty for some i below count. The line
+  /// has the first of them, and their number. Returns whether the promise holds.
   template <class Test>
   bool expect(std::string_view promise, std::size_t count, int threads, const Test& test) {
     constexpr std::size_t grain = 4096;

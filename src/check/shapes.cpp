@@ -18,21 +18,21 @@
 namespace vorpipe::core::checks {
 namespace {
 
-/// An edge of a ring, with numbers counted in the cell.
+/// An edge of a ring; indices count within the cell.
 struct RingEdge {
   Point a, b;
   std::size_t ring, next;  ///< the edge that follows it
   std::int64_t neighbor;
-  bool is_place;  ///< its ends differ by less than counts
+  bool is_place;  ///< its ends differ by less than the tolerance
 };
 
 bool isBefore(Point p, Point q) { return std::tie(p.x, p.y) < std::tie(q.x, q.y); }
 
-/// What two edges have in common: nothing, a point, or more than they may, which has that point as well.
+/// What two edges have in common: nothing, a point, or more than allowed, which includes the point.
 struct Common {
   std::optional<Point> point;
   bool more = false;
-  double length = 0;  ///< of what they have in common
+  double length = 0;  ///< of the common part
 };
 
 Common commonOf(const RingEdge& e, const RingEdge& f) {
@@ -99,7 +99,7 @@ class CellShape {
     return fmt::format("at ({}, {})", p.x / run_.scale, p.y / run_.scale);
   }
 
-  /// Whether it is one ring that turns left at each vertex, and goes once around: up and down once.
+  /// Whether the cell is one ring that turns left at each vertex and goes around once: up and down once.
   [[nodiscard]] bool isConvex() const {
     if (rings_.size() != 1) return false;
     std::size_t turns = 0;
@@ -111,7 +111,7 @@ class CellShape {
     return turns == 2;
   }
 
-  /// Two edges that have more in common than they may. Touches of different rings are noted.
+  /// Finds two edges that have more in common than allowed. Notes touches of different rings.
   std::string wrongPair() {
     std::string text;
     for (std::size_t e = 0; e < edges_.size() && text.empty(); ++e) {
@@ -124,7 +124,7 @@ class CellShape {
     return text;
   }
 
-  /// The edge that follows e, but for those that are places.
+  /// The edge that follows e, skipping those that are places.
   [[nodiscard]] std::size_t after(std::size_t e) const {
     std::size_t next = edges_[e].next;
     while (next != e && edges_[next].is_place) next = edges_[next].next;
@@ -146,11 +146,11 @@ class CellShape {
                        : fmt::format("a ring touches itself {}", at(p));
   }
 
-  /// Whether rounding and ties may have made two edges have something in common: each of the two ways that
-  /// neighbors tell would pass beside the other, as far as is known.
+  /// Whether rounding and ties may have made two edges meet: each of the two true segments, which the
+  /// neighbors determine, may pass beside the other.
   [[nodiscard]] bool isBlurred(const RingEdge& edge, const RingEdge& other, const Common& common) const {
-    // Ties move bisectors and no outline: without weights, edges along the outline are where it was given. A
-    // ring that ties have left no area is excepted.
+    // Ties move bisectors but not the outline: without weights, edges along the outline are where it was
+    // given. An exception is a ring that ties have left no area.
     const bool is_nothing = edge.ring == other.ring && areaOfRing(edge.ring) == 0;
     if (!run_.weighted && !is_nothing && (edge.neighbor == wall_outline || other.neighbor == wall_outline))
       return false;
@@ -172,7 +172,8 @@ class CellShape {
     return !corner && !(common.length > slack_);
   }
 
-  /// Rings of a part are in order: first the outer one, which is counter-clockwise, then its holes.
+  /// Checks the order of the rings of a part: first the outer one, which is counter-clockwise, then its
+  /// holes.
   std::string wrongTurn() {
     for (std::size_t r = 0; r < rings_.size(); ++r) {
       const bool is_hole = areaOfRing(r) < 0;
@@ -190,14 +191,14 @@ class CellShape {
     return area;
   }
 
-  /// Whether a ring is no wider than rounding and ties are.
+  /// Whether a ring is no wider than rounding and ties.
   [[nodiscard]] bool isFlat(std::size_t r) const {
     double around = 0;
     for (std::size_t e = begin(r); e < end(r); ++e) around += length(edges_[e].b - edges_[e].a);
     return std::abs(areaOfRing(r)) <= slack_ * around;
   }
 
-  /// Rings of one part and the points in which they touch hang together without going around.
+  /// Checks that the rings of one part and the points in which they touch form no cycle.
   std::string wrongPinch() {
     std::erase_if(touches_, [&](const Touch& t) { return part_[t.ring] != part_[t.other]; });
     std::vector<std::tuple<std::size_t, PlaceKey, std::size_t>> ends;
@@ -227,7 +228,7 @@ class CellShape {
     return {};
   }
 
-  /// Outer rings inside of no part, holes inside of their own.
+  /// Checks that outer rings lie inside no part, and holes inside their own.
   std::string wrongNesting() {
     std::vector<std::uint8_t> around(rings_.size());
     for (std::size_t r = 0; r < rings_.size() && rings_.size() > 1; ++r) {
@@ -247,7 +248,7 @@ class CellShape {
     return {};
   }
 
-  /// A vertex of a ring that is on no other ring, and not as near to one as may be.
+  /// A vertex of a ring that is not on another ring, nor within the tolerance of one.
   [[nodiscard]] std::optional<Point> placeOn(std::size_t r) const {
     for (std::size_t e = begin(r); e < end(r); ++e) {
       bool touched = false;
@@ -260,7 +261,7 @@ class CellShape {
     return {};
   }
 
-  /// The rings but r that go around p; `around` is all 0 before and after.
+  /// The rings other than r that go around p; `around` is all 0 before and after.
   [[nodiscard]] std::vector<std::size_t> ringsAround(Point p, std::size_t r,
                                                      std::vector<std::uint8_t>& around) const {
     std::vector<std::size_t> crossed;
@@ -289,7 +290,7 @@ class CellShape {
   std::vector<RingEdge> edges_;
   std::optional<BoxTree> tree_;  ///< of the edges
   std::vector<Touch> touches_;
-  std::vector<std::size_t> part_;  ///< of each ring, the outer one
+  std::vector<std::size_t> part_;  ///< the outer ring of each ring
 };
 
 }  // namespace

@@ -1,4 +1,4 @@
-/// The edges of each cell, to be found by what they are.
+/// The edges of each cell, searchable by neighbor and ends.
 #pragma once
 
 #include <cstddef>
@@ -10,8 +10,8 @@
 
 namespace vorpipe::core::checks {
 
-/// A hub has an edge with each of its many neighbors, and an outline of many narrow parts leaves two cells
-/// thousands of edges in common: looking through all of them for each would take the square of that.
+/// A hub has an edge with each of its many neighbors, and with an outline of many narrow parts two cells may
+/// share thousands of edges. Searching them linearly for each edge would take quadratic time.
 class SortedEdges {
  public:
   /// Keeps a reference.
@@ -19,23 +19,23 @@ class SortedEdges {
 
   /// Whether cell i has an edge with site j.
   [[nodiscard]] bool has(std::size_t i, std::size_t j) const;
-  /// The same from a to b, in a diagram with polygons and rings as they should be.
+  /// The same for an edge from a to b, in a diagram with valid polygons and rings.
   [[nodiscard]] bool has(std::size_t i, std::size_t j, Point a, Point b) const;
 
  private:
   [[nodiscard]] std::int64_t neighbor(std::size_t i, std::uint32_t k) const {
     return run_.diagram.neighbors[run_.begin(i) + k];
   }
-  /// Where edge k of cell i begins.
+  /// The start of edge k of cell i.
   [[nodiscard]] Point from(std::size_t i, std::uint32_t k) const { return run_.vertex(run_.begin(i) + k); }
-  /// Where it ends, in its ring.
+  /// Its end, in its ring.
   [[nodiscard]] Point to(std::size_t i, std::uint32_t k) const;
   [[nodiscard]] std::span<const std::uint32_t> edgesOf(std::size_t i) const {
     return std::span(edges_).subspan(run_.begin(i), run_.edges(i));
   }
 
   const CheckedCells& run_;
-  std::vector<std::uint32_t> edges_;  ///< of each cell, by neighbor, and by where they begin
+  std::vector<std::uint32_t> edges_;  ///< of each cell, sorted by neighbor and start
 };
 
 }  // namespace vorpipe::core::checks

@@ -8,15 +8,15 @@
 namespace vorpipe::core::checks {
 namespace {
 
-/// Of what the terms of a predicate add up to.
+/// Relative to the sum of the terms of a predicate.
 constexpr double predicate_slack = 1e-13;
-/// Edges of cells that are shorter than 1e-6 of the distance of their sites are ties, which any triangles
-/// may fill; a few of them may stand in a row.
+/// Edges of cells that are shorter than 1e-6 of the distance of their sites are ties, which any triangles may
+/// fill; a few of them may follow each other in a row.
 constexpr double tie_slack = 1e-5;
 
 /// One side of a triangle, with the corner opposite to it.
 struct Side {
-  std::uint64_t sites;  ///< the lower index above the higher, to sort by
+  std::uint64_t sites;  ///< the lower index in the high bits, then the higher, to sort by
   std::uint32_t opposite;
   bool upward;  ///< runs from the lower index to the higher
 };
@@ -32,12 +32,13 @@ std::uint32_t highOf(const Side& side) { return static_cast<std::uint32_t>(side.
 std::uint32_t fromOf(const Side& side) { return side.upward ? lowOf(side) : highOf(side); }
 std::uint32_t toOf(const Side& side) { return side.upward ? highOf(side) : lowOf(side); }
 
-/// The cotangent of the angle at a corner of a triangle, and by how much rounding may have changed it.
+/// The cotangent of the angle at a corner of a triangle, and its possible rounding error.
 struct Cotangent {
   double value, rounding;
 };
 
-/// Opposite to the edge from `from`. Seen from a far corner, the ends of a short edge may be one.
+/// The angle opposite to the edge from `from`. Relative to a far corner, the ends of a short edge may
+/// coincide.
 Cotangent cotangentOpposite(Point corner, Point from, Point to) {
   const Point u = from - corner, v = to - corner, edge = to - from;
   const double twice_area = std::abs(cross(edge, u));
@@ -45,8 +46,8 @@ Cotangent cotangentOpposite(Point corner, Point from, Point to) {
   return {dot(u, v) / twice_area, 16 * epsilon * sides * (1 + turned)};
 }
 
-/// What weights add to the cotangent at the corner of[2] of a triangle, so that half of it is still how far
-/// the center lies from the edge of[0], of[1], over that edge's length.
+/// The contribution of weights to the cotangent at the corner of[2] of a triangle. Half of the sum is still
+/// the distance of the center from the edge of[0], of[1], over that edge's length.
 Cotangent weighed(const CheckedCells& run, const std::array<std::uint32_t, 3>& of) {
   const Point from = run.site(of[0]), edge = run.site(of[1]) - from, corner = run.site(of[2]) - from;
   const double twice_area = std::abs(cross(edge, corner)), square = dot(edge, edge);
@@ -110,8 +111,8 @@ std::string wrongSide(const CheckedCells& run, const std::vector<Side>& sides, s
   return {};
 }
 
-/// How many sites the triangles should have: all but duplicates, or with weights those that they do have, as
-/// long as these are all with cells.
+/// The number of sites that the triangles should have: all except duplicates. With weights, the number that
+/// they do have, provided that it includes all sites with cells.
 std::size_t cornersOf(const CheckedCells& run, Broken& broken) {
   if (!run.weighted) {
     return static_cast<std::size_t>(
@@ -127,7 +128,7 @@ std::size_t cornersOf(const CheckedCells& run, Broken& broken) {
   return static_cast<std::size_t>(std::ranges::count(is_corner, 1));
 }
 
-/// The sides that only one triangle has: one round of the hull, turning left.
+/// Checks the sides that only one triangle has: one circuit of the hull, turning left.
 void checkHull(const CheckedCells& run, const std::vector<Side>& sides, Broken& broken) {
   std::vector<std::uint32_t> after(run.size(), no_site);
   std::uint32_t first = no_site;
@@ -158,7 +159,7 @@ void checkHull(const CheckedCells& run, const std::vector<Side>& sides, Broken& 
   }
 }
 
-/// Whether all sites, or with weights all with cells, lie on one line, beyond rounding.
+/// Whether all sites, or with weights all sites with cells, lie on one line, up to rounding.
 bool areCollinear(const CheckedCells& run) {
   std::vector<std::size_t> sites;
   for (std::size_t i = 0; i < run.size(); ++i) {

@@ -17,7 +17,7 @@
 namespace vorpipe::cli {
 namespace {
 
-/// Writes a line of its own where there is a bar. For signal handlers. Whether it was written.
+/// Writes a line, on a new line if there is a bar. For signal handlers. Returns whether it was written.
 bool writeLine(std::string_view line) {
   constexpr std::string_view line_end = "\n";
   const bool ended = !isBarShown() || write(STDERR_FILENO, line_end.data(), line_end.size()) >= 0;
@@ -29,14 +29,14 @@ bool writeLine(std::string_view line) {
 void openStandardStreams() {
   for (const int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO}) {
     if (fcntl(stream, F_GETFD) != -1) continue;
-    // The lowest number that is free is taken, which is this one. To write to standard output stays an error.
+    // open() takes the lowest free descriptor, which is this one. Writing to standard output stays an error.
     if (open("/dev/null", stream == STDERR_FILENO ? O_WRONLY : O_RDONLY) != stream) return;
   }
 }
 
 void printUncaught(const std::exception& error) {
   const std::string_view what = error.what();
-  // So oneTBB says it.
+  // oneTBB's wording.
   if (what.find("pthread_create") == std::string_view::npos) return printError(what);
   printError(fmt::format("a thread could not be started ({}); fewer --threads would do", what));
 }
@@ -68,7 +68,7 @@ void endOnLostPages(int code) {
   struct sigaction action {};
   action.sa_sigaction = [](int signal, siginfo_t* info, void*) {
     static std::atomic_flag ending;
-    // Anything else is a fault of the program, which ends it as soon as this returns.
+    // Anything else is a bug of the program, which ends as soon as this returns.
     if (info->si_code != BUS_ADRERR) {
       struct sigaction usual {};
       usual.sa_handler = SIG_DFL;
@@ -91,7 +91,7 @@ void endOnLostDisplay(int code) {
   static int exit_code;
   exit_code = code;
   using Handler = int (*)(void* display);
-  // Opened as GLFW does, and never closed; without it there is no window of X.
+  // Opened like GLFW does, and never closed; without this library there is no X window.
   void* const library = dlopen("libX11.so.6", RTLD_NOW | RTLD_LOCAL);
   if (library == nullptr) return;
   const auto set = reinterpret_cast<Handler (*)(Handler)>(dlsym(library, "XSetIOErrorHandler"));

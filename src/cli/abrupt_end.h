@@ -1,27 +1,27 @@
-/// What a program leaves behind where it cannot go on: a line that says so, and no file that is unfinished.
+/// How a program ends when it cannot continue: it prints one line, and leaves no unfinished file.
 #pragma once
 
 #include <exception>
 
 namespace vorpipe::cli {
 
-/// Opens what of standard input, output and error is closed, so that no file of a run gets its number: what
-/// is written there is lost, or an error, and never in a file of results.
+/// Opens whichever of standard input, output and error is closed, so that no file of a run gets its
+/// descriptor. Output to it is then lost or an error, but never lands in a result file.
 void openStandardStreams();
 
-/// Tells of an exception that nothing has taken, in one line.
+/// Prints an uncaught exception, in one line.
 void printUncaught(const std::exception& error);
 
-/// From now on the program ends with this code, where something is thrown that nothing can take: where memory
-/// is refused to destructors of some libraries, or a thread to one that runs beside others.
+/// From now on, the program ends with this code on an exception that nothing can catch. Causes: a destructor
+/// of some libraries gets no memory, or a concurrent thread cannot start another.
 void endOnUncaught(int code);
 
-/// From now on, where a file that is mapped is cut off while it is in use, or its disk fails, the program
-/// ends with this code.
+/// From now on, the program ends with this code if a mapped file is truncated while in use, or its disk
+/// fails.
 void endOnLostPages(int code);
 
-/// From now on, where the X server of a window goes away, the program ends with this code. Xlib's own way is
-/// to say so in words of its own and to end it with 1.
+/// From now on, the program ends with this code if a window loses its X server. Xlib by itself would print
+/// its own message and exit with 1.
 void endOnLostDisplay(int code);
 
 }  // namespace vorpipe::cli

@@ -19,7 +19,7 @@ std::string leftOutNote(const Diagram& diagram) {
   return fmt::format("--only-cells: {} of {} sites have no cell, and are left out", left_out, diagram.size());
 }
 
-/// The first file of GeoJSON.
+/// Returns the path of the first GeoJSON file.
 std::string geoJsonPath(const CellsTargets& targets) {
   const auto isGeoJson = [](std::string_view extension) { return extension.starts_with(".geojson"); };
   for (const CellsTarget& target : targets.cells) {

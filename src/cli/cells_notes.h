@@ -1,4 +1,4 @@
-/// What must be said of files of cells.
+/// Notes about files of cells.
 #pragma once
 
 #include "cli/options/cells_outputs.h"
@@ -7,9 +7,9 @@
 
 namespace vorpipe::cli {
 
-/// Prints a line on standard error, unless the run is quiet, for each of these: how many records --only-cells
-/// left out; which attributes have other names in the files; that coordinates of a plane are in GeoJSON,
-/// where readers take them for degrees.
+/// Prints up to three lines on standard error, unless the run is quiet: how many records --only-cells left
+/// out; which attributes were renamed in the files; that GeoJSON has coordinates of a plane, which readers
+/// take for degrees.
 void printCellsNotes(const TalkOptions& talk, const CellsTargets& targets, const CellsOutput& output);
 
 }  // namespace vorpipe::cli

@@ -86,7 +86,7 @@ std::string pairText(const PairDiff& pair) {
   return fmt::format("{}", fmt::join(parts, "; "));
 }
 
-/// Adds a run's counters and times; a stage that none had stays negative.
+/// Adds a run's counters and times; a stage that no run had stays negative.
 void addRun(const Report& run, Report& sum) {
   sum.retried += run.retried;
   sum.in_double += run.in_double;
@@ -101,7 +101,7 @@ void addRun(const Report& run, Report& sum) {
   }
 }
 
-/// Adds a name to a list of different ones.
+/// Adds a name to a list unless it is there already.
 void addName(const std::string& name, std::string& list) {
   if (list.empty()) {
     list = name;

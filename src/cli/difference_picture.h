@@ -15,14 +15,14 @@ struct Picture {
   std::vector<std::uint32_t> rgba;
 };
 
-/// Dark gray, one shade for each id, black where there is none.
+/// Returns dark gray pixels, one shade for each id, black where there is no id.
 Picture grayOfIds(std::span<const std::uint32_t> ids, int width, int height);
 
-/// The brightness of a picture, dimmed.
+/// Returns the dimmed brightness of a picture.
 Picture grayOfColors(std::span<const std::uint32_t> rgba, int width, int height);
 
-/// Paints wrong pixels red and ties yellow; in large pictures as squares, so that a single one is seen.
-/// A wrong pixel is never covered by a tie.
+/// Paints wrong pixels red and ties yellow; in large pictures as squares, so that single ones are visible. A
+/// tie never covers a wrong pixel.
 void markDifferences(Picture& picture, std::span<const PixelMatch> pixels);
 
 /// Copies `from` into `to` with its top left corner at (row, column), where it must fit.

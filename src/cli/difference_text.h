@@ -8,10 +8,10 @@
 
 namespace vorpipe::cli {
 
-/// A place in words: "row 3, column 4: sites 7 and 9, 1.25 px from their bisector".
+/// Describes a place: "row 3, column 4: sites 7 and 9, 1.25 px from their bisector".
 std::string placeText(const IdDifference& place);
 
-/// Why a diff does not agree, in one line: the count and the first place.
+/// Describes a disagreement in one line: the count and the first place.
 std::string disagreementText(const IdDiff& diff);
 
 nlohmann::ordered_json diffJson(const IdDiff& diff);

@@ -1,4 +1,4 @@
-/// What render makes: a picture in pixels, the cells that shapes are made of, or both.
+/// The result of render: a picture in pixels, the cells for shapes, or both.
 #pragma once
 
 #include <optional>
@@ -12,31 +12,31 @@ namespace vorpipe::cli {
 struct Drawing {
   std::optional<Rendering> pixels;
   std::optional<Diagram> cells;   ///< with Detail::polygons
-  std::optional<ColorKey> key{};  ///< what colors stand for; none by site
+  std::optional<ColorKey> key{};  ///< what the colors mean; none if by site
 
-  /// Of the picture in pixels, if there is one.
+  /// The report of the pixel picture if there is one, else of the cells.
   [[nodiscard]] const Report& report() const { return pixels ? pixels->report : cells->report; }
-  /// By site, in input order.
+  /// The status of each site, in input order.
   [[nodiscard]] const std::vector<Status>& status() const { return pixels ? pixels->status : cells->status; }
 };
 
-/// What is to be made, at least one of them.
+/// What to make: at least one of these.
 struct DrawingNeeds {
   bool pixels = true, cells = false;
 };
 
-/// The options of the cells that a picture's shapes are made of.
+/// Returns the options of the cells for a picture's shapes.
 CellsOptions shapesOptions(const RenderOptions& picture);
 
-/// Makes what is needed. Errors: those of Session::render, Session::cells and siteColors.
+/// Makes the needed parts. Errors: those of Session::render, Session::cells and siteColors.
 Result<Drawing> draw(Session& session, const Sites& sites, const RenderOptions& options,
                      const DrawingNeeds& needs);
 
-/// Promises of what was made that are broken. Error: check()'s.
+/// Returns the broken promises of a drawing. Error: check()'s.
 Result<std::vector<std::string>> checkDrawing(const Sites& sites, const RenderOptions& options,
                                               const Drawing& drawing, int threads);
 
-/// Plans draw(), and checkDrawing() where `checks`; then what writers of shapes take.
+/// Plans the memory of draw(), of checkDrawing() if `checks`, then of the writers of shapes.
 void planDrawing(MemoryPlan& plan, const Workload& work, const RenderOptions& options,
                  const DrawingNeeds& needs, bool checks);
 

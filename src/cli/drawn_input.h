@@ -1,4 +1,4 @@
-/// The density of a run, and sites that may be drawn from it, as `--sites density:N` asks for them.
+/// The density of a run, and sites sampled from it by `--sites density:N`.
 #pragma once
 
 #include <cstdint>
@@ -11,20 +11,20 @@
 
 namespace vorpipe::cli {
 
-/// How many sites `density:N` asks for; none where the sites are named otherwise. Error (input): N is no
+/// Returns the number of sites in `density:N`; none if --sites is something else. Error (input): N is no
 /// number of sites.
 Result<std::optional<std::uint64_t>> drawnCount(const InputOptions& options);
 
-/// The options with a generator of as many sites in the place of `density:N`, and where no domain is named,
-/// the box of the density's pixels: what the rest of a run needs to know. Errors (input): there is no
-/// density; the domain is asked of the sites.
+/// Returns the options for the rest of a run: a generator of `count` sites replaces `density:N`, and the box
+/// of the density's pixels an unnamed domain. Errors (input): there is no density; the domain is to come from
+/// the sites.
 Result<InputOptions> asGenerator(const InputOptions& options, std::uint64_t count, const Density& density);
 
-/// Draws the sites anew, in the domain of the input.
+/// Samples the sites anew, in the domain of the input.
 Result<void> drawSites(Input& input, const Density& density, const InputOptions& options);
 
-/// Reads, generates or draws the sites; `options` are left as the rest of the run takes them. Errors: those
-/// of the functions above, forecastGenerated, loadInput and placeUnder.
+/// Reads, generates or samples the sites, and changes `options` to what the rest of the run needs. Errors:
+/// those of the functions above, forecastGenerated, loadInput and placeUnder.
 Result<Input> inputUnder(const DensityFile& density, const DensityOptions& from, InputOptions& options,
                          const PlanRun& plan, std::optional<std::uint64_t> memory_limit);
 

@@ -33,10 +33,10 @@ CellsOptions cellsOptions(const FluidOptions& options) {
   return cells;
 }
 
-/// Where a folder is, whether it is there or not, and however it is written.
+/// Returns the canonical path of a folder, even if it does not exist.
 fs::path placeOf(const std::string& folder) {
   std::error_code none;
-  // With a file in it, a slash at its end makes no difference.
+  // The appended file name makes a trailing slash irrelevant.
   return fs::weakly_canonical(fs::path(folder) / "file", none).parent_path();
 }
 
@@ -53,7 +53,7 @@ Result<Image> drawFluid(Session& session, const FluidState& state, const FluidOp
   const view::FlowColor by = flowColorOf(state, picture, color);
   const bool by_flow = by != view::FlowColor::none;
   PictureOptions asked = picture;
-  // These have scales and ranges as those have.
+  // Densities and speeds have scales and ranges like weights.
   if (by_flow) asked.render.color = ColorBy::weight;
   Input input{};
   input.sites = state.sites;

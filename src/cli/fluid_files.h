@@ -1,4 +1,4 @@
-/// What `fluid` writes while it runs: pictures, files for ParaView and checkpoints.
+/// The files that `fluid` writes during a run: pictures, files for ParaView and checkpoints.
 #pragma once
 
 #include <memory>
@@ -17,15 +17,15 @@
 
 namespace vorpipe::cli {
 
-/// What colors of a picture stand for: `color`, or where there is none what is usual.
+/// Returns what the colors of a picture mean: `color`, or the usual choice if none is given.
 view::FlowColor flowColorOf(const FluidState& state, const PictureOptions& picture,
                             std::optional<view::FlowColor> color);
 
-/// A picture of the cells; of a free surface the air is white.
+/// Draws the cells; with a free surface, the air is white.
 Result<Image> drawFluid(Session& session, const FluidState& state, const FluidOptions& options,
                         const PictureOptions& picture, std::optional<view::FlowColor> color);
 
-/// Files that grow with the steps.
+/// The files that grow with each step.
 class FluidRecord {
  public:
   /// Opens films, folders and the trace; a run that continues from a checkpoint continues folders and trace.
@@ -33,11 +33,11 @@ class FluidRecord {
   static Result<FluidRecord> open(const FluidTargets& targets, const PictureOptions& picture,
                                   const FluidState* resumed);
 
-  /// Writes what there is to write of a step.
+  /// Writes the files due at a step.
   Result<void> add(Session& session, const FluidState& state, const FluidOptions& options);
-  /// A row of the trace.
+  /// Adds a row to the trace.
   Result<void> addRow(const FluidStep& step) { return trace_.add(step); }
-  /// Puts a film in place, and ends the trace.
+  /// Puts a film in place and ends the trace.
   Result<void> finish(RunLog& log);
 
  private:
@@ -51,12 +51,13 @@ class FluidRecord {
   const PictureOptions* picture_;
   FluidTrace trace_;
   std::unique_ptr<view::Recorder> recorder_;
-  bool first_is_drawn_ = false;  ///< by the run that this one continues
+  bool first_is_drawn_ = false;  ///< by the run that this one resumes
   std::vector<SeriesStep> series_;
 };
 
-/// Refuses a checkpoint, trace or film that is one of the `files` at the end, or cannot be written, and files
-/// in folders of frames or series, which hold nothing else. Errors (input) name the option.
+/// Rejects a checkpoint, trace or film that is also one of the final `files`, or cannot be written. Also
+/// rejects files in the folders of frames or series, which may hold nothing else. Errors (input) name the
+/// option.
 Result<void> checkApart(const FluidTargets& targets, std::span<const OutputFile> files);
 
 /// Writes a checkpoint, whole or not at all.

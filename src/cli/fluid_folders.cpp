@@ -20,7 +20,7 @@ namespace fs = std::filesystem;
 
 constexpr std::string_view list_of_series = "series.pvd";
 
-/// The names in a folder but for what killed runs may leave; none where there is no folder.
+/// Returns the names in a folder, except leftovers of killed runs; none if there is no folder.
 Result<std::vector<std::string>> namesIn(const std::string& folder) {
   std::vector<std::string> names;
   std::error_code code;
@@ -34,7 +34,7 @@ Result<std::vector<std::string>> namesIn(const std::string& folder) {
   return names;
 }
 
-/// The number in a name between what it begins and ends with, where it has at least `digits` digits.
+/// Returns the number between `begin` and `end` in a name, if it has at least `digits` digits.
 std::optional<std::uint64_t> numberIn(std::string_view name, std::string_view begin, std::string_view end,
                                       std::size_t digits) {
   if (!name.starts_with(begin) || !name.ends_with(end)) return std::nullopt;
@@ -94,8 +94,7 @@ Result<NextFrame> goOnWithFrames(const std::string& folder, std::uint64_t step, 
     if (!number) return strange(folder, name, "numbered pictures");
     last = std::max(last, *number);
   }
-  // The next one may be of a step that no checkpoint was made of: a run ended there, or before the
-  // checkpoint.
+  // The next picture may be of a step without a checkpoint: a run ended there, or before the checkpoint.
   if (last == own || last == own + 1) return NextFrame{own + 1, true};
   return inputError(fmt::format(
       "{}: its last picture is {}, where a run with --every {} has {} up to step {}; name another folder",

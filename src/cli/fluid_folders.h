@@ -1,4 +1,4 @@
-/// The folders that `fluid` writes into; a run that continues from a checkpoint continues them.
+/// The output folders of `fluid`; a run resumed from a checkpoint continues them.
 #pragma once
 
 #include <cstdint>
@@ -10,27 +10,27 @@
 
 namespace vorpipe::cli {
 
-/// "step-000010.vtp".
+/// Returns a name such as "step-000010.vtp".
 std::string seriesFileOf(std::uint64_t step);
 
-/// Opens the folder of a new series, which is made where it is not there. Errors (input): it cannot be made,
-/// or holds something.
+/// Opens the folder of a new series, creating it if needed. Errors (input): it cannot be made, or is not
+/// empty.
 Result<void> openSeries(const std::string& folder);
 
-/// The steps of a series up to that of a checkpoint; none where the folder is empty. What is there of later
-/// steps was written after the checkpoint, and will be written again. Errors (input): those of openSeries, of
+/// Returns the steps of a series up to the checkpoint's step; none if the folder is empty. Files of later
+/// steps were written after the checkpoint, and will be overwritten. Errors (input): those of openSeries and
 /// readSeries; the folder holds something else, or a series without this step.
 Result<std::vector<SeriesStep>> goOnWithSeries(const std::string& folder, const FluidState& from);
 
-/// The number of the next picture of a run that continues from a checkpoint and has one every `every` steps:
-/// 1 is that of step 0.
+/// The number of the next picture in a run that resumes from a checkpoint and draws one every `every` steps.
+/// Picture 1 is that of step 0.
 struct NextFrame {
   std::uint64_t number = 1;
-  bool is_there = false;  ///< that of the checkpoint itself, before the next
+  bool is_there = false;  ///< whether the picture of the checkpoint itself exists, just before the next
 };
 
-/// Looks at the folder of these pictures, which may be empty. Errors (input): it holds something else, or
-/// pictures that are not those up to this step.
+/// Examines the folder of these pictures, which may be empty. Errors (input): it holds something else, or not
+/// exactly the pictures up to this step.
 Result<NextFrame> goOnWithFrames(const std::string& folder, std::uint64_t step, std::uint64_t every);
 
 }  // namespace vorpipe::cli

@@ -15,10 +15,10 @@
 namespace vorpipe::cli {
 namespace {
 
-/// Bytes of each cell beside those of a diagram, as measured: parcels, their masses and weights, the matrix
-/// of Newton's steps and the levels of its solver; by projection how areas change with velocities, and discs.
+/// Measured bytes per cell besides the diagram: parcels, their masses and weights, the matrix of Newton's
+/// steps and the levels of its solver. With projection also how areas change with velocities, and discs.
 constexpr std::uint64_t of_springs = 920, of_periodic = 1300, of_projection = 1300, of_surface = 1850;
-/// What the smallest takes.
+/// Bytes of the smallest run.
 constexpr std::uint64_t of_any = 12'000'000;
 
 std::uint64_t bytesOf(FluidScheme scheme, Surface surface, Periodic periodic) {
@@ -64,7 +64,7 @@ Result<std::uint64_t> allowed(const FluidPlan& plan, std::uint64_t bytes) {
 Result<void> forecastCase(const FluidPlan& plan) {
   const auto which = fluidCaseOf(plan.choices.begin);
   if (!plan.choices.resume.empty() || !which) return {};
-  // What a case is does not depend on how many parcels it has.
+  // The options of a case do not depend on its number of parcels.
   const FluidOptions options = fluidCase(*which, 64).options;
   Workload work;
   work.sites = plan.choices.particles;

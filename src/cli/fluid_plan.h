@@ -1,4 +1,4 @@
-/// How much memory a fluid will take.
+/// Forecasts the memory of a fluid.
 #pragma once
 
 #include <cstdint>
@@ -11,7 +11,7 @@
 
 namespace vorpipe::cli {
 
-/// What a forecast asks of the command line.
+/// The command-line options that a forecast needs.
 struct FluidPlan {
   const FluidChoices& choices;
   const FluidTargets& targets;
@@ -19,10 +19,11 @@ struct FluidPlan {
   std::optional<std::uint64_t> limit;
 };
 
-/// Refuses (input) a named case whose cells will not fit whatever the device is, before it is made.
+/// Error (input): the cells of a named case will not fit on any device. Call before the case is made.
 Result<void> forecastCase(const FluidPlan& plan);
 
-/// Bytes at the peak of a run. Errors (input): more than there are, or than the limit; those of workloadOf.
+/// Returns the peak memory of a run, in bytes. Errors (input): more than available, or than the limit; those
+/// of workloadOf.
 Result<std::uint64_t> forecastFluid(const FluidPlan& plan, const FluidSetup& setup, const DeviceInfo& device,
                                     int threads);
 

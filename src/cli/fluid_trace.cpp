@@ -31,7 +31,7 @@ std::string rowOf(const FluidStep& step, bool with_times) {
                      step.halvings, seconds);
 }
 
-/// What there is of a trace up to the step of a checkpoint.
+/// Returns the existing trace up to the step of a checkpoint.
 Result<std::string> keptOf(const std::string& path, const FluidState& from) {
   auto file = InputFile::open(path);
   if (!file) return tl::unexpected(std::move(file.error()));
@@ -49,7 +49,7 @@ Result<std::string> keptOf(const std::string& path, const FluidState& from) {
   return text;
 }
 
-/// A file whose bytes go nowhere: what is in it was written before.
+/// A sink that discards its bytes, for a file that was already written.
 class WrittenBefore final : public ByteSink {
  public:
   explicit WrittenBefore(std::string name) : ByteSink(std::move(name)) {}
@@ -82,7 +82,7 @@ FluidTrace::~FluidTrace() {
   if (descriptor_ >= 0) ::close(descriptor_);
 }
 
-/// Puts what there is so far in place of an older file, whole; rows follow.
+/// Replaces an older file, as a whole, by the trace so far; rows follow.
 Result<void> FluidTrace::begin() {
   auto file = OutputFile::create(path_);
   if (!file) return tl::unexpected(std::move(file.error()));
@@ -99,7 +99,7 @@ Result<void> FluidTrace::begin() {
 
 Result<void> FluidTrace::append(const std::string& row) {
   if (direct_) return direct_->write(row);
-  // In one call, so that no row is left in part.
+  // In one call, so that no partial row remains.
   const auto written = ::write(descriptor_, row.data(), row.size());
   if (written == static_cast<::ssize_t>(row.size())) return {};
   const int code = written < 0 ? errno : ENOSPC;

@@ -1,4 +1,4 @@
-/// The --trace of a fluid, which grows with its steps.
+/// The --trace file of a fluid, which grows with its steps.
 #pragma once
 
 #include <cstdint>
@@ -12,23 +12,22 @@
 
 namespace vorpipe::cli {
 
-/// A row for each step, in its file as soon as the step is made: a run that is killed has the rows of the
-/// steps that it made.
+/// Writes a row to the file right after each step, so that a killed run keeps the rows of its steps.
 class FluidTrace {
  public:
-  /// Opens the trace at `path`; an empty path makes none. With `resumed`, the state of a checkpoint, a file
-  /// that is there is kept up to the step of that state; else the trace begins anew. Writes nothing yet.
-  /// Errors: those of reading; the file is no trace, or has no such step (input).
+  /// Opens the trace at `path`; an empty path makes none. With `resumed`, a checkpoint's state, an existing
+  /// file is kept up to that state's step; else the trace begins anew. Writes nothing yet. Errors: those of
+  /// reading; the file is no trace, or has no such step (input).
   static Result<FluidTrace> open(const std::string& path, const FluidState* resumed);
   FluidTrace(FluidTrace&& other) noexcept;
   FluidTrace& operator=(FluidTrace&& other) = delete;
   ~FluidTrace();
 
-  /// The first step is the one that the fluid begins at, which a continued trace has already. Errors:
-  /// those of OutputFile; (device) the system does not take it: the file has the rows before.
+  /// Adds a row. The first step is the one at which the fluid begins; a continued trace has it already.
+  /// Errors: those of OutputFile; (device) the system rejects the write, and the file keeps the rows before.
   Result<void> add(const FluidStep& step);
 
-  /// Hands all to the system, and notes for the log what is in the file.
+  /// Passes all rows to the system, and records the file's contents in the log.
   Result<void> finish(RunLog& log);
 
  private:
@@ -38,8 +37,8 @@ class FluidTrace {
 
   std::string path_;
   bool goes_on_ = false;
-  std::string text_, timeless_;       ///< all of it, and without the clock's times
-  std::optional<OutputFile> direct_;  ///< of what is no regular file
+  std::string text_, timeless_;       ///< the whole text, and the same without clock times
+  std::optional<OutputFile> direct_;  ///< for anything but a regular file
   int descriptor_ = -1;
 };
 

@@ -21,7 +21,7 @@ std::string sizeText(std::uint64_t bytes) {
                          : fmt::format("{:.1f} GB", size / gigabyte);
 }
 
-/// What the user has set, else what the system has.
+/// Returns the user's limit if it is the lower one, else the system's.
 MemoryLimit limitOf(std::optional<std::uint64_t> limit) {
   MemoryLimit least = systemMemoryLimit();
   if (limit && *limit < least.bytes) least = {*limit, "allowed by --memory-limit"};
@@ -35,7 +35,7 @@ std::uint64_t attributeBytes(const Input& input) {
 
 bool hasWeights(const InputOptions& options) { return options.random_weights || !options.weights.empty(); }
 
-/// The whole run; `attributes` are bytes.
+/// Returns the peak of the whole run; `attributes` is in bytes.
 std::uint64_t peakOf(const InputOptions& options, const Workload& work, const PlanRun& plan,
                      std::uint64_t attributes) {
   MemoryPlan whole;
@@ -47,10 +47,10 @@ std::uint64_t peakOf(const InputOptions& options, const Workload& work, const Pl
   return whole.peak();
 }
 
-/// What would fit, in words that end the message.
+/// Returns what would fit, as the end of the message.
 std::string adviceFor(const InputOptions& options, const Workload& work, const PlanRun& plan,
                       std::uint64_t attributes, std::uint64_t limit) {
-  // Fewer sites have fewer of them.
+  // Attributes scale with the number of sites.
   const auto needs = [&](const Workload& other) {
     const double part =
         work.sites == 0 ? 1 : static_cast<double>(other.sites) / static_cast<double>(work.sites);
@@ -85,7 +85,7 @@ Result<std::uint64_t> forecast(const InputOptions& options, const Workload& work
                                 adviceFor(options, work, plan, attributes, limit.bytes), advice));
 }
 
-/// A run in tiles of that many sites.
+/// Returns the peak of a run in tiles of `tile` sites.
 std::uint64_t peakInTiles(const InputOptions& options, const Workload& work, std::uint64_t mapped_bytes,
                           std::uint64_t tile) {
   MemoryPlan whole;

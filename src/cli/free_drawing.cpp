@@ -19,7 +19,7 @@ Result<void> checkFreePicture(std::string_view option, const RenderOptions& opti
                               const DrawingNeeds& needs) {
   if (!needs.pixels) return {};
   const bool over_air = options.legend || options.labels || options.dual || options.show_sites;
-  // Colors of pixels are those of cells that fill the domain.
+  // Pixels get the colors of cells that fill the domain.
   const bool of_cells = options.color == ColorBy::area || options.color == ColorBy::neighbors;
   if (!over_air && !of_cells) return {};
   return inputError(

@@ -8,14 +8,15 @@
 
 namespace vorpipe::cli {
 
-/// Refuses (input) sites without weights, whose discs have no radii.
+/// Error (input): the sites have no weights, so their discs have no radii.
 Result<void> checkDiscs(const Sites& sites);
 
-/// Refuses (input) what pictures of air and pixels cannot have, in words that begin with the option.
+/// Error (input), in words that begin with the option: a picture has marks or colors that pictures with air
+/// cannot have in pixels.
 Result<void> checkFreePicture(std::string_view option, const RenderOptions& options,
                               const DrawingNeeds& needs);
 
-/// Makes what is needed, as draw() does, of the parts of cells that lie in the discs around their sites.
+/// Makes the needed parts, like draw(), from the parts of cells inside the discs around their sites.
 /// Errors: those of Session::render, freeCells and takeOutAir.
 Result<Drawing> drawFree(Session& session, const Sites& sites, const RenderOptions& options,
                          const DrawingNeeds& needs);

@@ -38,7 +38,7 @@ Result<void> takeWeights(const InputOptions& options, Input& input) {
   return {};
 }
 
-/// The option that gives the sites their weights.
+/// Returns the option that sets the weights.
 std::string_view weightsOption(const InputOptions& options) {
   if (options.random_weights) return "--random-weights";
   return options.weights.empty() ? "--sites" : "--weights";
@@ -67,7 +67,7 @@ std::string_view optionOf(Subject subject, const InputOptions& options) {
   return {};
 }
 
-/// How the domain's messages name what the command line has.
+/// Returns the command line's names for the domain's messages.
 DomainWords domainWords(const InputOptions& options) {
   return {options.sites == "-" ? "<stdin>" : options.sites,
           "--domain",
@@ -139,7 +139,7 @@ Result<Input> inputAround(const InputOptions& options, Sites corners) {
 
 Result<DensityFile> densityOf(const DensityOptions& options) {
   if (options.empty()) return {};
-  // A box that is named is in the unit of the domain, whatever lies beside the file.
+  // A given box is in the unit of the domain, whatever files accompany the density.
   auto read = readDensity(options.file, options.box);
   if (!read) return named("--density", std::move(read.error()));
   return read;
@@ -157,7 +157,7 @@ tl::unexpected<Error> named(std::string_view option, Error error) {
 
 tl::unexpected<Error> asOption(Error error, const InputOptions& options) {
   if (error.subject == Subject::none) return tl::unexpected(std::move(error));
-  // The option stands for the subject's name.
+  // The option replaces the subject's name.
   const std::string name = fmt::format("{}: ", nameOf(error.subject));
   if (error.message.starts_with(name)) error.message.erase(0, name.size());
   return named(optionOf(error.subject, options), std::move(error));

@@ -1,4 +1,4 @@
-/// The sites of a run, and what follows from them where the options leave it open.
+/// The sites of a run, and what follows from them if the options do not set it.
 #pragma once
 
 #include <cstdint>
@@ -16,7 +16,7 @@
 namespace vorpipe::cli {
 
 struct Input : PlacedSites {
-  std::optional<std::uint64_t> seed;    ///< of the generator; none for files
+  std::optional<std::uint64_t> seed;    ///< the generator's; none for files
   std::vector<Attribute> attributes{};  ///< of a file's sites
   double read_ms = 0;
 };
@@ -25,25 +25,24 @@ struct Input : PlacedSites {
 /// readWeights, readOutline and findDomain, after the option's name.
 Result<Input> loadInput(const InputOptions& options);
 
-/// The same for sites that stay where they are: `corners` are sites with the same box, and stand for them.
+/// The same for sites that stay in place: `corners`, sites with the same bounding box, represent them.
 Result<Input> inputAround(const InputOptions& options, Sites corners);
 
-/// Reads --density, which may be left out, with the place that --density-box names. Errors: those of
-/// readDensity.
+/// Reads --density, if given, at the place that --density-box names. Errors: those of readDensity.
 Result<DensityFile> densityOf(const DensityOptions& options);
 
-/// Looks at where the density lies beside the input's domain. Errors: those of placeDensity.
+/// Checks the position of the density relative to the input's domain. Errors: those of placeDensity.
 Result<void> placeUnder(const DensityFile& density, const DensityOptions& from, const InputOptions& options,
                         Input& input);
 
-/// The error of what an option names, with the option in front where the input is wrong.
+/// Returns the error of an option's value, with the option in front if the input is wrong.
 tl::unexpected<Error> named(std::string_view option, Error error);
 
-/// An error of the library, which begins with what is wrong, in the words of the command line, which begin
-/// with the option that sets it.
+/// Translates an error of the library, which begins with the wrong value's name, to the command line: it then
+/// begins with the option that sets the value.
 tl::unexpected<Error> asOption(Error error, const InputOptions& options);
 
-/// Refuses what checkInput does, in the words of the command line.
+/// Same errors as the library's checkInput, in the words of the command line.
 Result<void> checkInput(const InputOptions& options, const Input& input, const CellsOptions& cells,
                         int threads);
 

@@ -1,4 +1,4 @@
-/// How a program keeps the memory of its runs (decision D61).
+/// Keeps freed memory for later runs of the process (decision D61).
 #pragma once
 
 #if defined(__GLIBC__)
@@ -7,10 +7,9 @@
 
 namespace vorpipe {
 
-/// From now on this process keeps memory that it frees for what it needs next, on all threads alike. Else
-/// glibc gives arrays of some megabytes back to the system with every run and gets them anew, and to touch
-/// new memory for the first time takes up to a quarter of a run. For the start of main(): a library leaves
-/// that to its program.
+/// From now on, this process keeps freed memory for reuse, on all threads alike. Otherwise glibc returns
+/// arrays of some megabytes to the system after every run. Touching new memory for the first time then takes
+/// up to a quarter of a run. Call at the start of main(): a library leaves this to its program.
 inline void keepFreedMemory() {
 #if defined(__GLIBC__)
   constexpr int never = -1;

@@ -1,4 +1,4 @@
-/// Cells that are measured in tiles.
+/// Measures cells in tiles.
 #pragma once
 
 #include <optional>
@@ -12,21 +12,21 @@
 
 namespace vorpipe::cli {
 
-/// Sites that are measured in tiles, where they are.
+/// Sites that are measured in tiles, without copying them.
 struct TiledInput {
-  Input input;  ///< where they are mapped, with a few sites for all
+  Input input;  ///< if the sites are mapped, a few sites represent all
   std::optional<MappedSites> mapped;
 
   [[nodiscard]] SitesInPlace places() const { return mapped ? mapped->sites() : sitesInPlace(input.sites); }
 };
 
-/// Whether the options leave sites without weights, in a box that does not repeat itself.
+/// Whether the options give sites without weights, in a box without periods.
 bool canBeTiled(const InputOptions& options);
 
 /// Maps the sites of a .npy file, or loads any others. Errors: those of loadInput and MappedSites::map.
 Result<TiledInput> loadTiled(const InputOptions& options, int threads);
 
-/// Results in the order of the input.
+/// Measures in the order of the input.
 struct Measured {
   explicit Measured(std::size_t sites);
   [[nodiscard]] MeasuresOfCells all() const { return {area, centroid, neighbors, status}; }
@@ -37,7 +37,7 @@ struct Measured {
   std::vector<Status> status;
 };
 
-/// Puts measures where their sites' are, on several threads.
+/// Returns a sink that stores measures at their sites' indices, on several threads.
 CellsSink sinkOf(Measured& measured, int threads);
 
 }  // namespace vorpipe::cli

@@ -11,14 +11,14 @@
 namespace vorpipe::cli {
 namespace {
 
-/// The first option that says how values become colors.
+/// Returns the first given option that maps values to colors.
 std::string_view scaleOption(const RenderOptions& picture) {
   if (picture.color_scale != ColorScale::automatic) return "--color-scale";
   if (picture.color_range) return "--color-range";
   return picture.legend ? "--legend" : "";
 }
 
-/// What can be refused of a picture before its cells are known.
+/// Checks what can be wrong with a picture before its cells are known.
 Result<void> checkPicture(const RenderOptions& picture, const InputOptions& sites, const Input& input) {
   if (picture.color == ColorBy::weight && input.sites.weight.empty()) {
     return inputError(

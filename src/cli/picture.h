@@ -1,4 +1,4 @@
-/// Pictures of an input, as the options ask for them.
+/// Derives the pictures of an input from the options.
 #pragma once
 
 #include <optional>
@@ -10,15 +10,15 @@
 
 namespace vorpipe::cli {
 
-/// How large a picture will be; while the domain is not known, no larger than it will.
+/// Returns the size of a picture; while the domain is unknown, a lower bound.
 PictureSize sizeOf(const PictureOptions& picture, const std::optional<Box>& domain);
 
-/// What is drawn of an input. Errors (input): options that contradict each other, or the input; they name the
-/// option.
+/// Returns what to draw of an input. Errors (input), which name the option: options contradict each other or
+/// the input.
 Result<RenderOptions> pictureOf(const PictureOptions& picture, const InputOptions& sites, const Input& input);
 
-/// The line that says that a picture stretches its domain, and how not to; empty where it does not, or where
-/// --fit asked for it.
+/// Returns a note that a picture stretches its domain, and how to avoid that. Empty if it does not, or if
+/// --fit requested it.
 std::string stretchNote(const PictureOptions& picture, const RenderOptions& options);
 
 }  // namespace vorpipe::cli

@@ -18,23 +18,24 @@ namespace vorpipe::cli {
 namespace {
 
 std::atomic<int> caught{0};
-std::atomic<int> answered{0};       ///< the signal after which a run ended with what it had
-std::atomic<bool> has_time{false};  ///< a run that was asked to stop may take long
-std::atomic<bool> over{false};      ///< a handler ends the program, or ignoreSignals keeps all from it
+std::atomic<int> answered{0};       ///< the signal after which a run ended with a partial result
+std::atomic<bool> has_time{false};  ///< a run that was asked to stop may take its time
+std::atomic<bool> over{
+    false};  ///< a handler is ending the program, or ignoreSignals prevents handlers from doing so
 std::atomic<bool> bar_is_shown{false};
-bool ignoring = false;  ///< ignoreSignals was called; one thread alone calls it
+bool ignoring = false;  ///< ignoreSignals was called; only one thread calls it
 static_assert(std::atomic<int>::is_always_lock_free && std::atomic<bool>::is_always_lock_free,
               "signal handlers use them");
 
 constexpr int bar_width = 30;
 constexpr auto redraw_after = std::chrono::milliseconds(50);
 
-/// How long a run that was asked to stop may go on before its process is ended: a call of a driver or of a
-/// file system may take seconds.
+/// How long a run may continue after a stop request before the process ends: a call of a driver or file
+/// system may take seconds.
 constexpr int grace_microseconds = 200'000;
 
-/// Ctrl-C, and what a batch system sends before it ends a process: at the end of the time that a job has, or
-/// of its time of the processors. And that the terminal is gone.
+/// Ctrl-C, the signals of a batch system before it ends a job (out of wall time or CPU time), and the loss of
+/// the terminal.
 constexpr std::array asking_to_end{SIGINT, SIGTERM, SIGXCPU, SIGHUP};
 
 void install(int signal, void (*handler)(int)) {
@@ -47,14 +48,14 @@ void install(int signal, void (*handler)(int)) {
 void installForAll(void (*handler)(int)) {
   for (const int signal : asking_to_end) {
     struct sigaction before {};
-    // nohup has it ignored.
+    // Under nohup it stays ignored.
     const bool stays =
         signal == SIGHUP && sigaction(signal, nullptr, &before) == 0 && before.sa_handler == SIG_IGN;
     if (!stays) install(signal, handler);
   }
 }
 
-/// Removes unfinished files and ends the process. Runs in a signal handler: async-signal-safe calls alone.
+/// Removes unfinished files and ends the process. Runs in a signal handler: only async-signal-safe calls.
 void endProgram(int signal) {
   if (over.exchange(true)) return;
   removeUnfinished();
@@ -81,7 +82,7 @@ void endOnSignals() { installForAll(endProgram); }
 void stopOnSignals() {
   install(SIGALRM, [](int) { endProgram(caught); });
   installForAll(askToStop);
-  // Then writing fails, with an error that says where, and what is unfinished is removed.
+  // With these ignored, writing fails with an error that says where, and unfinished files are removed.
   install(SIGPIPE, SIG_IGN);
   install(SIGXFSZ, SIG_IGN);
 }
@@ -151,7 +152,7 @@ void ProgressBar::show(std::string_view text, double fraction) {
 
 void ProgressBar::put(std::string_view text, double fraction) {
   const int full = static_cast<int>(fraction * bar_width);
-  // A terminal may be gone, which is no reason to end: fmt::print would throw.
+  // The terminal may be gone, which must not end the run: fmt::print would throw.
   std::fputs(fmt::format("\r\033[K{:<16} [{:#<{}}{:.<{}}] {:3.0f} %", text, "", full, "", bar_width - full,
                          fraction * 100)
                  .c_str(),

@@ -1,4 +1,4 @@
-/// How a run shows how far it is, and how it is told to stop.
+/// Shows a run's progress, and stops it on signals.
 #pragma once
 
 #include <chrono>
@@ -11,42 +11,42 @@
 
 namespace vorpipe::cli {
 
-/// Added to a signal's number, it is the exit code that shells report for a process that the signal ended.
+/// This plus a signal's number is the exit code that shells report for a process ended by the signal.
 inline constexpr int killed_by_signal = 128;
 
-/// From now on SIGINT, SIGTERM, SIGHUP and SIGXCPU end the program at once, with a line that says so.
+/// From now on, SIGINT, SIGTERM, SIGHUP and SIGXCPU end the program at once, with a message.
 void endOnSignals();
 
-/// From now on, since there is something to clean up, they only ask the run to stop. If it has not soon, or
-/// at a second one, the program ends where it is, and leaves no file that is unfinished. Writing into a
-/// closed pipe, or beyond what a file may have (ulimit -f), is an error then, and does not end the program.
+/// From now on, these signals only ask the run to stop, because there are files to clean up. If it does not
+/// stop soon, or at a second signal, the program ends at once and leaves no unfinished file. Writing into a
+/// closed pipe, or beyond the limit of a file (ulimit -f), is now an error and does not end the program.
 void stopOnSignals();
 
-/// After stopOnSignals: a run that ends with what it has reached is given the time to write it, until a
-/// second signal.
+/// Call after stopOnSignals: a run that ends with a partial result gets the time to write it, until a second
+/// signal.
 void awaitResultOnSignals();
 
-/// Whether a signal has asked the run to end with what it has reached. From here on the next one counts as
-/// the first. signalExitCode() tells of the one that asked.
+/// Whether a signal has asked the run to end with its partial result. The next signal then counts as the
+/// first again. signalExitCode() is that of the signal that asked.
 bool takeSignal();
 
-/// False once a signal has asked to stop.
+/// Returns a progress callback that is false once a signal has asked to stop.
 Progress untilSignal();
 
-/// From now on signals do nothing: the run is over, or its files are being put in place.
+/// From now on, signals do nothing: the run is over, or its files are being put in place.
 void ignoreSignals();
 
-/// The exit code of a run that was asked to stop.
+/// Returns the exit code of a run that was asked to stop.
 int signalExitCode();
 
-/// ErrorCode::cancelled once a signal has asked to stop.
+/// Returns ErrorCode::cancelled once a signal has asked to stop.
 Result<void> stopIfAsked();
 
-/// Whether there is a bar on standard error. Signal handlers may ask.
+/// Whether there is a bar on standard error. Signal handlers may call this.
 bool isBarShown();
 
-/// A bar on standard error. A stage that is left and taken up again continues where it was; within a stage
-/// the bar does not go back.
+/// A progress bar on standard error. A stage that is left and resumed continues where it was; within a stage
+/// the bar never moves back.
 class ProgressBar {
  public:
   /// Shows nothing when quiet or when standard error is no terminal.
@@ -55,11 +55,12 @@ class ProgressBar {
   ProgressBar(const ProgressBar&) = delete;
   ProgressBar& operator=(const ProgressBar&) = delete;
 
-  /// A callback that draws the bar and is false once a signal has asked to stop. It refers to this bar.
+  /// Returns a callback that draws the bar, and returns false once a signal has asked to stop. It refers to
+  /// this bar.
   Progress callback();
-  /// Draws the bar of a run that is one stage, with a text of its own.
+  /// Draws the bar of a run with a single stage, with a text of its own.
   void show(std::string_view text, double fraction);
-  /// Takes the bar off the screen.
+  /// Removes the bar from the screen.
   void clear();
 
  private:

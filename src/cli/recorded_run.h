@@ -1,4 +1,4 @@
-/// What a file of --stats tells of a run, so that it can be run again.
+/// Reads from a --stats file what is needed to repeat a run.
 #pragma once
 
 #include <string>
@@ -15,14 +15,14 @@ struct RecordedRun {
   std::vector<std::string> arguments;  ///< without the program's name; the first is the subcommand
   std::vector<LoggedFile> inputs;
   std::vector<WrittenFile> outputs;
-  std::string version, revision, backend, device;  ///< empty where it was not known
+  std::string version, revision, backend, device;  ///< empty if unknown
 };
 
-/// Reads what statsJson wrote; `name` is how errors begin. Errors (input): it is no JSON, or no such object,
-/// or that of a version that did not tell so much.
+/// Reads the output of statsJson; errors begin with `name`. Errors (input): it is no JSON, or no such object,
+/// or of an older version that did not record enough.
 Result<RecordedRun> recordedRun(const std::string& name, std::string_view json);
 
-/// The same of a file. Errors: those of InputFile besides.
+/// The same for a file. Errors: also those of InputFile.
 Result<RecordedRun> readRecordedRun(const std::string& path);
 
 }  // namespace vorpipe::cli

@@ -16,7 +16,7 @@
 namespace vorpipe::cli {
 namespace {
 
-/// The sites as the input had them: in degrees where it was projected.
+/// Returns the sites in the input's coordinates: in degrees if it was projected.
 PlacedSites placedBack(const Input& input, const Sites& sites) {
   PlacedSites placed;
   placed.sites = sites;

@@ -1,4 +1,4 @@
-/// The files that `relax` and `transport` write of sites as they stand.
+/// The files that `relax` and `transport` write for the present sites.
 #pragma once
 
 #include <optional>
@@ -14,7 +14,7 @@
 
 namespace vorpipe::cli {
 
-/// What files are made with.
+/// What is needed to make the files.
 struct ResultJob {
   const ResultTargets& targets;
   const InputOptions& options;
@@ -26,32 +26,32 @@ struct ResultJob {
   Surface surface = Surface::none;
 };
 
-/// Sites, with what the files want of them.
+/// Sites, with the parts that the files need.
 struct ResultParts {
-  Sites plane;                     ///< as they stand in the domain
-  PlacedSites placed{};            ///< as files have them: in degrees, where the input was
+  Sites plane;                     ///< in the coordinates of the domain
+  PlacedSites placed{};            ///< in the coordinates of files: in degrees if the input was
   std::optional<Diagram> cells{};  ///< likewise
   std::optional<Drawing> drawing{};
   RenderOptions render{};
 };
 
-/// Plans what the files of sites take, beside what the run itself does; `domain` as far as it is known.
+/// Plans the memory of the files of sites, besides the run's own; `domain` if known.
 void planFiles(MemoryPlan& plan, const Workload& work, const ResultTargets& targets,
                const PictureOptions& picture, const std::optional<Box>& domain);
 
-/// Refuses, before a backend is opened, what computing cells or drawing pictures would.
+/// Returns, before a backend is opened, the errors that computing cells or drawing pictures would.
 Result<void> checkBefore(const ResultJob& job);
 
-/// Which pictures are to be made.
+/// Returns which kinds of pictures are needed.
 DrawingNeeds needsOf(const std::vector<PictureFile>& pictures);
 
-/// Computes what the files want. Errors: those of Session::cells, pictureOf and draw.
+/// Computes what the files need. Errors: those of Session::cells, pictureOf and draw.
 Result<ResultParts> partsOf(Session& session, const ResultJob& job, const Sites& sites);
 
-/// A writer for each file of ResultTargets::paths(); they refer to both.
+/// Returns a writer for each file of ResultTargets::paths(); they refer to both arguments.
 std::vector<Writer> writersOf(const ResultJob& job, const ResultParts& parts);
 
-/// The rows of --trace; without `with_times` what every run has alike.
+/// Returns the rows of --trace; without `with_times`, only what is the same in every run.
 std::string traceText(const std::vector<RelaxStep>& trace, bool with_times);
 
 }  // namespace vorpipe::cli

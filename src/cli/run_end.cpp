@@ -17,7 +17,7 @@
 namespace vorpipe::cli {
 namespace {
 
-/// Whether a path leads to where standard output goes: /dev/stdout does.
+/// Whether a path leads to standard output, as /dev/stdout does.
 bool isStandardOutput(const std::string& path) {
   struct stat there {
   }, here{};
@@ -107,7 +107,7 @@ void printMissingCells(const TalkOptions& talk, const Input& input, std::span<co
     const bool inside = x >= box.xmin && x <= box.xmax && y >= box.ymin && y <= box.ymax;
     if (status[i] == Status::empty && !inside) ++outside;
   }
-  // An outline leaves nothing of those that others do not hide in its box.
+  // Sites that are not hidden in the box of an outline may still have no cell inside the outline.
   const std::uint64_t hidden = report.hidden - std::min(report.hidden, outside);
   const auto say = [&](std::uint64_t count, std::string_view why) {
     if (count > 0) printNote(fmt::format("{} of {} sites have no cell: {}", count, input.sites.size(), why));

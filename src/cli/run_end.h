@@ -1,4 +1,4 @@
-/// How a run ends: what must be said of its result, and its output files.
+/// The end of a run: notes about its result, and its output files.
 #pragma once
 
 #include <functional>
@@ -16,54 +16,54 @@
 
 namespace vorpipe::cli {
 
-/// The error of a run that was asked for nothing; `example` is a file that it could write.
+/// Returns the error of a run without any output; `example` is a file that it could write.
 Error nothingToDo(std::string_view example);
 
-/// Prints what the validation layers said, in one line, after `name`; whether they said nothing.
+/// Prints the messages of the validation layers, in one line, after `name`. Returns whether there were none.
 bool validationIsSilent(const Report& report, std::string_view name = {});
 
-/// Prints what did not go as it began, in a line each on standard error, unless the run is quiet: another
-/// backend than the one that was taken first may have done it. `name` as above.
+/// Prints each deviation from the run's start in a line on standard error, unless the run is quiet: e.g.
+/// another backend than the first choice did the work. `name` as above.
 void printNotes(const TalkOptions& talk, const Report& report, std::string_view name = {});
 
-/// The same for what was changed or reinterpreted of the input.
+/// The same for changes and reinterpretations of the input.
 void printNotes(const TalkOptions& talk, const Input& input);
 
-/// Prints what check() found, in one line; whether all promises hold. Error: check()'s.
+/// Prints the findings of check(), in one line. Returns whether all promises hold. Error: check()'s.
 Result<bool> passesCheck(const Result<std::vector<std::string>>& broken);
 
-/// Refuses (input) paths that lead to files which this run has read, as ReadLog::current() has noted them.
+/// Error (input): a path leads to a file that this run has read, according to ReadLog::current().
 Result<void> checkNotRead(std::span<const std::string> paths);
 
-/// Creates the output files of a run that from now on stops, and leaves none of them, when a signal asks it
-/// to. Call when all inputs were read. Errors: those of checkNotRead and vorpipe::createOutputs.
+/// Creates the output files of a run. From now on a signal stops the run, which then leaves none of them.
+/// Call after all inputs were read. Errors: those of checkNotRead and vorpipe::createOutputs.
 Result<std::vector<OutputFile>> openOutputs(std::span<const std::string> paths);
 
 /// Writes one file.
 using Writer = std::function<Result<void>(ByteSink&)>;
 
-/// Has each file written by the writer at its place, and puts all in place together. Errors: those of
-/// the writers; a signal has asked to stop. One that comes after that is too late.
+/// Writes each file with the writer of the same index, and puts all in place together. Errors: those of the
+/// writers; a signal has asked to stop. A later signal has no effect.
 Result<void> writeOutputs(std::span<OutputFile> files, std::span<const Writer> writers);
 
-/// The same for a run with --stats, which `stats` makes when all else is written: into the last file, where
-/// there is one more than writers, and as the invocation asks.
+/// The same for a run with --stats; `stats` makes their text after all else is written. It goes into the last
+/// file, if there is one more than writers, and to the invocation if that asks.
 Result<void> writeOutputs(std::span<OutputFile> files, std::span<const Writer> writers, RunLog& log,
                           const std::function<std::string()>& stats);
 
-/// Prints how many sites have no cell, and why, in a line each on standard error, unless the run is quiet.
-/// `status` is that of each site.
+/// Prints how many sites have no cell, with a line for each reason, on standard error, unless the run is
+/// quiet. `status` has that of each site.
 void printMissingCells(const TalkOptions& talk, const Input& input, std::span<const Status> status,
                        const Report& report);
 
-/// Prints the lines that sum up a run on standard output, unless it is quiet or one of its files goes there.
+/// Prints a run's summary lines on standard output, unless the run is quiet or one of its files goes there.
 void printSummary(const TalkOptions& talk, std::span<const std::string> paths, std::string_view lines);
 
-/// "a.png, b.npy: 10 weighted cells (0 empty, 0 duplicate)", as summaries begin; without weights they are
+/// Returns how summaries begin: "a.png, b.npy: 10 weighted cells (0 empty, 0 duplicate)"; without weights,
 /// "unweighted".
 std::string outcomeText(std::span<const std::string> paths, const Sites& sites, const Report& report);
 
-/// "cpu on NAME, 0.100 s, checked", as summaries end.
+/// Returns how summaries end: "cpu on NAME, 0.100 s, checked".
 std::string runText(const Report& report, double milliseconds, bool checked);
 
 }  // namespace vorpipe::cli

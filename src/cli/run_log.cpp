@@ -5,7 +5,7 @@
 namespace vorpipe::cli {
 namespace {
 
-/// Hashes what goes through it.
+/// Hashes the bytes that it passes on.
 class HashingSink final : public ByteSink {
  public:
   explicit HashingSink(ByteSink& to) : ByteSink(to.name()), to_(to) {}

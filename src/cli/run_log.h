@@ -1,4 +1,4 @@
-/// What reproduces a run: how it was called, and what was in the files that it read and wrote.
+/// The log that makes a run reproducible: its call, and hashes of the files that it read and wrote.
 #pragma once
 
 #include <functional>
@@ -17,19 +17,19 @@ namespace vorpipe::cli {
 /// A file that a run wrote.
 struct WrittenFile {
   LoggedFile file;
-  std::string timeless{};  ///< hash of what times leave of it; empty where it holds none
+  std::string timeless{};  ///< hash of its contents without times; empty if it holds no times
 };
 
-/// Begins before a run reads anything, so that openOutputs knows what it has read. Hashes files only where
-/// somebody will read of it: `--stats` was given, or another run of this process wants to know.
+/// Create it before a run reads anything, so that openOutputs knows the files read. Hashes files only if the
+/// hashes are used: `--stats` was given, or another run of this process needs them.
 class RunLog {
  public:
   RunLog(const Invocation& invocation, bool stats_wanted);
 
-  /// Of a file that holds times, which no run has again: what is the same in every run. For the writer.
+  /// For writers of files with times: records the part that is the same in every run.
   void noteTimeless(std::string_view text);
 
-  /// Lets `write` write, and notes what it wrote.
+  /// Calls `write`, and records what it wrote.
   Result<void> noteOutput(ByteSink& to, const std::function<Result<void>(ByteSink&)>& write);
 
   [[nodiscard]] const Invocation& invocation() const { return invocation_; }
@@ -37,15 +37,15 @@ class RunLog {
   [[nodiscard]] const std::vector<WrittenFile>& outputs() const { return outputs_; }
 
   SearchOptions search{};
-  int threads = 0;     ///< as asked for; 0: all
-  std::string choice;  ///< why a backend was taken; empty where it was named
+  int threads = 0;     ///< as requested; 0: all
+  std::string choice;  ///< why a backend was chosen; empty if it was named
 
  private:
   const Invocation& invocation_;
   bool hashes_;
   ReadLog reads_;
   std::vector<WrittenFile> outputs_;
-  std::string timeless_;  ///< of the file that is being written
+  std::string timeless_;  ///< of the file being written
 };
 
 }  // namespace vorpipe::cli

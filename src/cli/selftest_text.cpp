@@ -11,7 +11,7 @@ namespace {
 
 constexpr std::size_t label_width = 38, column_width = 10;
 
-/// Those that were tested; their place here, from 1, is what tables name them by.
+/// Returns the tested devices; tables number them by their position here, from 1.
 std::vector<const SelftestDevice*> testedOf(const SelftestReport& report) {
   std::vector<const SelftestDevice*> tested;
   for (const SelftestDevice& device : report.devices) {
@@ -38,7 +38,7 @@ std::string row(const SelftestReport& report, std::string_view label, const Text
   return line + '\n';
 }
 
-/// With the numbers of the devices.
+/// Returns the heading, with the numbers of the devices.
 std::string headingRow(const SelftestReport& report, std::string_view label, std::string_view last = {}) {
   int number = 0;
   return row(
@@ -118,11 +118,11 @@ std::string limitsText(const SelftestReport& report) {
   return text;
 }
 
-/// What became of a group's scenes on one device.
+/// The outcome of a group's scenes on one device.
 struct GroupOutcome {
   std::size_t runs = 0, wrong = 0;
   double milliseconds = 0;
-  const SelftestRun* first = nullptr;  ///< of those that failed
+  const SelftestRun* first = nullptr;  ///< the first failed run
 };
 
 GroupOutcome outcomeOf(const SelftestDevice& device, std::string_view group) {
@@ -167,7 +167,7 @@ std::string selftestHeading(const SelftestReport& report) {
 std::string selftestRow(const SelftestReport& report, std::string_view group) {
   std::size_t most = 0;
   int number = 0;
-  std::vector<std::pair<std::string, std::string>> faults;  // a fault, and which devices have it
+  std::vector<std::pair<std::string, std::string>> faults;  // a fault, and the devices that have it
   const auto text = [&](const SelftestDevice& device) -> std::string {
     const GroupOutcome outcome = outcomeOf(device, group);
     number++;

@@ -1,4 +1,4 @@
-/// What a self-test found, as text.
+/// The results of a self-test as text.
 #pragma once
 
 #include <string>
@@ -8,16 +8,17 @@
 
 namespace vorpipe::cli {
 
-/// Which devices are tested, by number, and which are not; the heading of the table.
+/// Returns the numbered tested devices, those not tested, and the heading of the table.
 std::string selftestHeading(const SelftestReport& report);
 
-/// The row of a group of scenes, with a time or FAULT for each device, and below it the first fault of each.
+/// Returns the row of a group of scenes: a time or FAULT for each device, and below it each device's first
+/// fault.
 std::string selftestRow(const SelftestReport& report, std::string_view group);
 
-/// The devices' arithmetic and limits, side by side.
+/// Returns the devices' arithmetic and limits, side by side.
 std::string selftestDevices(const SelftestReport& report);
 
-/// How many runs there were and how many broke a promise.
+/// Returns how many runs there were, and how many broke a promise.
 std::string selftestSummary(const SelftestReport& report);
 
 }  // namespace vorpipe::cli

@@ -20,8 +20,7 @@ using Json = nlohmann::ordered_json;
 
 Json time(double milliseconds) { return milliseconds < 0 ? Json(nullptr) : Json(milliseconds); }
 
-/// Of this process. What getrusage says of a process on Linux may be its parent's, before it became another
-/// program.
+/// Returns this process's peak. On Linux, getrusage may include the parent's peak from before exec.
 std::uint64_t peakMemoryBytes() {
   constexpr std::uint64_t kilobyte = 1024;
   std::ifstream status("/proc/self/status");
@@ -58,7 +57,7 @@ std::string searchText(const SearchOptions& search) {
   return search.method == Search::grid ? "grid" : fmt::format("flann:{}", search.neighbors);
 }
 
-/// What reproduces the run.
+/// Adds what is needed to reproduce the run.
 void addLog(Json& json, const RunLog& log) {
   json["arguments"] = log.invocation().arguments;
   json["inputs"] = Json::array();
@@ -71,7 +70,7 @@ void addLog(Json& json, const RunLog& log) {
   }
 }
 
-/// By what, how and from which value to which.
+/// Returns what determines the colors, their scale and the range of values.
 Json colorJson(const ColorKey& key) {
   const std::string_view by = key.color == ColorBy::area        ? "area"
                               : key.color == ColorBy::neighbors ? "neighbors"
@@ -83,7 +82,7 @@ Json colorJson(const ColorKey& key) {
 }
 
 Json relaxationJson(const RelaxFigures& figures) {
-  // Weights leave nothing to compare with.
+  // With weights there is no reference to compare with.
   const auto part = [](double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); };
   return {{"method", figures.method},
           {"diagrams", figures.diagrams},

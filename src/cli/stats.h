@@ -13,35 +13,35 @@
 
 namespace vorpipe::cli {
 
-/// What moved the sites, where a run did.
+/// Figures of a relaxation.
 struct RelaxFigures {
   std::string method, end;
   std::uint64_t diagrams;
-  RelaxStep first, last;  ///< of the sites as they came, and of those that are the result
+  RelaxStep first, last;  ///< of the input sites, and of the resulting sites
 };
 
-/// What found weights, where a run did.
+/// Figures of a transport.
 struct TransportFigures {
   std::string end;
   bool free_surface;
   std::uint64_t diagrams, newton;
-  TransportStep last;  ///< that was kept
+  TransportStep last;  ///< the last step that was kept
   double mass;         ///< of all cells together
   double cost;
 };
 
-/// What a fluid came to.
+/// Figures of a fluid.
 struct FluidFigures {
   std::string scheme, end;
   FluidStep first, last;
-  double worst, drift;  ///< of areas, and of the energy as a part of the first: largest of all steps
+  double worst, drift;  ///< of areas, and of the energy relative to the first; each the largest of all steps
   double epsilon;       ///< of springs
 };
 
-/// What a run in tiles was cut into.
+/// Figures of a run in tiles.
 struct TileFigures {
   std::uint64_t sites;                 ///< of the run
-  std::uint64_t tiles, largest, open;  ///< as TiledReport has them
+  std::uint64_t tiles, largest, open;  ///< as in TiledReport
 };
 
 struct Stats {
@@ -50,8 +50,8 @@ struct Stats {
   const Report& report;
   const RunLog& log;
   double write_ms, total_ms;
-  std::uint64_t forecast;            ///< bytes at the peak, told before
-  std::optional<double> area_sum{};  ///< none where cells were only drawn
+  std::uint64_t forecast;            ///< bytes at the peak, forecast before the run
+  std::optional<double> area_sum{};  ///< none if cells were only drawn
   std::optional<double> mass_sum{};  ///< none without a density
   std::optional<ColorKey> color{};   ///< of a picture; none by site
   std::optional<RelaxFigures> relaxation{};
@@ -60,11 +60,11 @@ struct Stats {
   std::optional<TileFigures> tiles{};
 };
 
-/// Adds what the domain is besides its box, and between which numbers the weights are: "outline", "periodic",
-/// "projection" and "weights", each null where there is none.
+/// Adds the domain's properties besides its box, and the range of the weights: "outline", "periodic",
+/// "projection" and "weights", each null if there is none.
 void addShape(nlohmann::ordered_json& json, const Input& input);
 
-/// The object that `--stats` writes, with a line's end; a figure that does not apply is null.
+/// Returns the object that `--stats` writes, with a line end; a figure that does not apply is null.
 std::string statsJson(const Stats& stats);
 
 }  // namespace vorpipe::cli

@@ -26,7 +26,7 @@ bool isOfZero(std::string_view message) { return message.find("is no mass") != s
 
 ZeroMass zeroOf(const MassOptions& masses) { return masses.skip_zero ? ZeroMass::taken : ZeroMass::refused; }
 
-/// What may have been meant by masses that could not be read.
+/// Returns advice on what unreadable masses may have meant.
 std::string adviceOn(const Error& error, const MassOptions& masses, const Input& input) {
   const auto has_name = [&](const Attribute& attribute) { return attribute.name() == masses.file; };
   if (!masses.file.empty() && std::ranges::any_of(input.attributes, has_name)) {
@@ -35,7 +35,7 @@ std::string adviceOn(const Error& error, const MassOptions& masses, const Input&
   return isOfZero(error.message) ? std::string(skip_advice) : "";
 }
 
-/// Leaves out the sites whose mass is 0.
+/// Removes the sites whose mass is 0.
 Result<void> skipZero(std::vector<double>& masses, Input& input) {
   std::vector<bool> kept;
   for (const double mass : masses) kept.push_back(mass > 0);
@@ -139,7 +139,7 @@ ExitCode exitCodeOf(const Transported& found, bool interrupted) {
 std::string traceText(const std::vector<TransportStep>& trace, bool with_times) {
   std::string text = "diagram,newton,length,taken,norm,worst,least,linear_iterations,seconds\n";
   const auto to = std::back_inserter(text);
-  // What is not a number was not measured: a cell was empty.
+  // A value that is not finite was not measured: a cell was empty.
   const auto put = [&](double value) {
     if (std::isfinite(value)) fmt::format_to(to, "{}", value);
     text += ',';

@@ -1,4 +1,4 @@
-/// A transport as `vorpipe transport` runs it: its masses, and what is told of its steps.
+/// Parts of `vorpipe transport`: its masses, and the reports of its steps.
 #pragma once
 
 #include <optional>
@@ -11,44 +11,46 @@
 
 namespace vorpipe::cli {
 
-/// Whether attributes are wanted for masses: one is named, or what is named as a file looks like one.
+/// Whether masses need attributes: one is named, or the given file name looks like one.
 bool wantsAttributes(const MassOptions& masses);
 
-/// The attribute that has masses, so that readers name the place of one that is wrong; none where none has.
+/// Returns the attribute that holds the masses, so that readers can locate a wrong one; none if there is no
+/// such attribute.
 std::optional<NeededAttribute> neededFor(const MassOptions& masses);
 
-/// Reads the masses; none where they are equal. Sites without mass are left out of the input, and noted
-/// there, where that is asked for. Errors: those of readMasses and massesIn, after the option; (input) no
-/// site has mass.
+/// Reads the masses; none if they are equal. If requested, removes sites without mass from the input, and
+/// records them there. Errors: those of readMasses and massesIn, after the option; (input) no site has mass.
 Result<std::vector<double>> loadMasses(const MassOptions& masses, Input& input);
 
-/// Scales the masses of `options`, which has all else, as the options want it. Errors: those of fillDomain.
+/// Scales the masses in `options`, which are otherwise complete, as `masses` requests. Errors: those of
+/// fillDomain.
 Result<void> fitMasses(const MassOptions& masses, std::size_t sites, Session& session,
                        TransportOptions& options);
 
-/// The last step that was kept; the last one where there is none.
+/// Returns the last kept step; the last step if none was kept.
 const TransportStep& lastKept(const std::vector<TransportStep>& trace);
 
-/// Newton steps that were tried.
+/// Returns the number of attempted Newton steps.
 std::uint64_t newtonSteps(const std::vector<TransportStep>& trace);
 
-/// "converged", as in reports.
+/// Returns the word for reports, e.g. "converged".
 std::string_view wordOf(TransportEnd end);
 
-/// Where the worst cell of a step came to between that of the first one and the tolerance, by their powers.
+/// Returns how far a step's worst cell has come from the first step's error to the tolerance, on a
+/// logarithmic scale.
 double partDone(const TransportStep& step, double first_worst, double tolerance);
 
-/// The error with what would help: masses that were read are finite and as many as sites, and only their sum
-/// can be wrong.
+/// Adds advice to an error. Masses that were read are finite and one per site, so only their sum can be
+/// wrong.
 Error withAdvice(Error error, const MassOptions& masses);
 
-/// "worst cell off by 1e-13 of its mass after 6 Newton steps, 7 diagrams (converged)".
+/// Returns e.g. "worst cell off by 1e-13 of its mass after 6 Newton steps, 7 diagrams (converged)".
 std::string summaryOf(const Transported& found);
 
-/// The exit code; prints how the run ended, where it did not reach the tolerance.
+/// Returns the exit code. Prints how the run ended if it did not reach the tolerance.
 ExitCode exitCodeOf(const Transported& found, bool interrupted);
 
-/// The rows of --trace; without `with_times` what every run has alike.
+/// Returns the rows of --trace; without `with_times`, only what is the same in every run.
 std::string traceText(const std::vector<TransportStep>& trace, bool with_times);
 
 }  // namespace vorpipe::cli

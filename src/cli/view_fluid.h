@@ -1,4 +1,4 @@
-/// Fluids of a window, as the command line names them.
+/// Opens a fluid from the command line for a window.
 #pragma once
 
 #include "cli/options/fluid_options.h"
@@ -7,9 +7,8 @@
 
 namespace vorpipe::cli {
 
-/// The fluid that options name, which flows on unless they say when it ends; its first cells are found, so
-/// that what is wrong with it is told before there is a window. Errors: those of startOf, Session::open and
-/// Fluid::begin.
+/// Opens the fluid that the options name; it flows forever unless they set an end. Computes its first cells,
+/// to report errors before a window opens. Errors: those of startOf, Session::open and Fluid::begin.
 Result<view::Opened> openFluidForView(const FluidChoices& choices, const BackendOptions& backend,
                                       const SearchOptions& search);
 

@@ -19,7 +19,7 @@ namespace {
 
 constexpr std::string_view random_start = "random:100";
 
-/// A value that begins with - stands in one word with its option.
+/// Adds an option; a value that begins with - is joined to it by =.
 void add(std::vector<std::string>& to, std::string_view option, std::string value) {
   if (value.starts_with('-')) {
     to.push_back(fmt::format("{}={}", option, value));
@@ -53,7 +53,7 @@ void addDomain(std::vector<std::string>& to, const InputOptions& options) {
     add(to, "--domain", fmt::format("{},{},{},{}", box->xmin, box->ymin, box->xmax, box->ymax));
   }
   if (const auto& margin = options.margin) {
-    // As many digits as a person may have written are those that come back.
+    // 15 digits return the number as a person may have written it.
     add(to, "--margin",
         margin->relative ? fmt::format("{:.15g}%", margin->value * 100) : fmt::format("{}", margin->value));
   }
@@ -107,7 +107,7 @@ Result<view::Loaded> loadForView(const std::string& path, const InputOptions& op
   if (lowerExtension(path) == ".png") {
     auto density = readDensity(path);
     if (!density) return tl::unexpected(std::move(density.error()));
-    // What is dropped covers what the window shows.
+    // A dropped density covers the window's domain.
     density->density.box.reset();
     loaded.density = std::make_shared<const Density>(std::move(density->density));
     return loaded;

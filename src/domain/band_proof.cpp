@@ -13,7 +13,7 @@ constexpr std::size_t band_proof_grain = 1 << 14;
 /// Bounds of the rounding of a distance, relative to it, and of a coordinate, relative to the period.
 constexpr double distance_rounding = 1e-9, place_rounding = 1e-12;
 
-/// By how much the bands should be wider for some cells.
+/// How much wider the bands should be for some cells.
 using Lack = std::array<double, 2>;
 
 class Proof {
@@ -43,14 +43,14 @@ class Proof {
     const double dx = v.x - imaged_.sites.x[i], dy = v.y - imaged_.sites.y[i];
     const auto& weight = imaged_.sites.weight;
     const double squared = dx * dx + dy * dy + (weight.empty() ? 0 : band_.heaviest - weight[i]);
-    if (squared <= 0) return;  // A heavy site's: no other's image matters there.
+    if (squared <= 0) return;  // Of a heavy site: no image of another site matters there.
     for (const std::size_t a : {0u, 1u}) {
       if (!open_[a]) continue;
       const double room = std::min(place[a] - low_[a], high_[a] - place[a]) - slack_[a];
       if (room > 0 && squared * (1 + distance_rounding) <= room * room) continue;
       const double reach =
           std::min((1 + distance_rounding) * std::sqrt(squared), 0.5 * placed_.axis[a].length);
-      // A vertex beyond may be none of the whole cell's, which may reach any farther.
+      // A vertex beyond may not be one of the whole cell, which may reach arbitrarily far.
       lack[a] = std::max(lack[a], room > 0 ? reach - room : band_.width[a] + reach);
     }
   }

@@ -7,8 +7,8 @@
 
 namespace vorpipe::core {
 
-/// Calls take(v, next) for each edge of a cell with the vertices begin to end - 1: the vertex that it begins
-/// with, and the one that it ends with. `ring_starts` is that of the diagram.
+/// Calls take(v, next) with the first and last vertex of each edge of a cell, whose vertices are begin to end
+/// - 1. `ring_starts` is that of the diagram.
 template <class Take>
 void eachEdge(std::span<const std::uint64_t> ring_starts, std::uint64_t begin, std::uint64_t end,
               const Take& take) {

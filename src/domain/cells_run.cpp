@@ -37,7 +37,7 @@ Result<FoundCells> findCells(const Machine& machine, const Sites& sites, const C
     return FoundCells{std::move(cells->diagram), std::move(cells->run), std::move(cells->scene)};
   }
   CellsOptions box_options = options;
-  // To clip cells takes their polygons, whether they are wanted or not.
+  // Clipping cells needs their polygons, even if the caller does not.
   if (!options.outline.empty()) box_options.detail = std::max(options.detail, Detail::polygons);
   const Stopwatch order_watch;
   auto run = beginRun(machine, sites, options.domain);

@@ -1,4 +1,4 @@
-/// The whole way from sites to cells as data.
+/// The whole pipeline from sites to cells as data.
 #pragma once
 
 #include "domain/own_parts.h"
@@ -6,20 +6,20 @@
 
 namespace vorpipe::core {
 
-/// Cells, and where the caller wants more of them, what they were found with.
+/// Cells, and on request the run that found them.
 struct FoundCells {
   Diagram diagram;
-  std::unique_ptr<SiteRun> run;  ///< null where only data is wanted
+  std::unique_ptr<SiteRun> run;  ///< null if only data is wanted
   Scene scene;                   ///< of the run
-  OwnParts parts{};              ///< of cells that an outline cuts
+  OwnParts parts{};              ///< for cells that an outline cuts
 };
 
-/// What Session::cells does, but for the mass; checkOptions found nothing to refuse. For a picture, what the
-/// cells were found with is kept. Errors: those of prepare; as Session::cells'.
+/// Does what Session::cells does, except for the mass; checkOptions has accepted the input. For a picture, it
+/// keeps the run and its scene. Errors: those of prepare and of Session::cells.
 Result<FoundCells> findCells(const Machine& machine, const Sites& sites, const CellsOptions& options,
                              ImagesFor purpose);
 
-/// The same for data alone.
+/// The same, for data only.
 Result<Diagram> cellsOn(const Machine& machine, const Sites& sites, const CellsOptions& options);
 
 }  // namespace vorpipe::core

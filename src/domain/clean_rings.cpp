@@ -11,7 +11,7 @@
 namespace vorpipe::core {
 namespace {
 
-/// Of fewer points than this, pairs are compared as they come.
+/// With fewer points than this, all pairs are compared.
 constexpr std::size_t few_points = 16;
 constexpr std::uint32_t unset = std::numeric_limits<std::uint32_t>::max();
 
@@ -19,23 +19,23 @@ using SegmentKey = std::tuple<double, double, double, double>;
 
 SegmentKey keyOf(Point a, Point b) { return {a.x, a.y, b.x, b.y}; }
 
-/// Where one comes from a to p: how far one turns clockwise from the way back to a until p to b comes, in
-/// halves of turns. The way back itself comes last.
+/// For a path from a to p: the clockwise angle from the direction back to a until the direction of p to b, in
+/// half turns. The direction back itself comes last.
 int halfTurns(Point a, Point p, Point b) {
   const int side = orientation(p, a, b);
   if (side != 0) return side < 0 ? 0 : 2;
   return alongWay(p, a, b) < 0 ? 1 : 3;
 }
 
-/// Where one comes from a to p: whether p to b comes before p to c as one turns clockwise from the way back.
+/// For a path from a to p: whether p to b comes before p to c, clockwise from the direction back to a.
 bool comesFirst(Point a, Point p, Point b, Point c) {
   const int of_b = halfTurns(a, p, b), of_c = halfTurns(a, p, c);
   return of_b != of_c ? of_b < of_c : orientation(p, b, c) < 0;
 }
 
-/// Whether a closed walk goes counter-clockwise; one to a point and back is a shell without width. Ties may
-/// have turned the tip of a narrow cell around, so that it crosses itself: then the area tells, and no corner
-/// does.
+/// Whether a closed walk is counter-clockwise; one to a point and back is a shell without width. Ties may
+/// have turned the tip of a narrow cell around, so that it crosses itself. Then only the area decides, and no
+/// corner.
 bool isShell(std::span<const Point> walk) {
   if (walk.size() < 3) return true;
   const Point origin = walk.front();
@@ -58,7 +58,7 @@ struct Loop {
   Box box{};
 };
 
-/// Traces what is left of the edges of one cell.
+/// Traces the remaining edges of one cell.
 class RingTracer {
  public:
   RingTracer(const Rings& outline, std::vector<Point> ends, ClippedCell& cell)
@@ -87,15 +87,15 @@ class RingTracer {
     }
   }
 
-  /// Whether two edges with the same ends are a cell, or a part of one, that ties have left no width: it lies
-  /// between two others, which have edges with it and not with each other.
+  /// Whether two edges with the same ends are a cell, or a part of one, that ties have left no width. It then
+  /// lies between two different neighbors.
   [[nodiscard]] bool areApart(std::uint32_t e, std::uint32_t f) const {
     const auto a = cell_.neighbors[e], b = cell_.neighbors[f];
     return a >= 0 && b >= 0 && a != b;
   }
 
-  /// Of edges with the same two ends keeps as many as run more often one way than the other, and two that are
-  /// apart.
+  /// Among edges with the same two ends, keeps the surplus of one direction over the other. Also keeps a pair
+  /// of opposite edges that are apart.
   void dropOpposites() {
     std::vector<std::uint32_t> order(ends_.size());
     for (std::uint32_t e = 0; e < order.size(); ++e) order[e] = e;
@@ -116,7 +116,7 @@ class RingTracer {
     }
   }
 
-  /// Edges that begin at the same place have the same number; as many end there.
+  /// Numbers start points: edges that begin at the same place get the same number; as many end there.
   void numberPlaces() {
     place_.assign(ends_.size(), unset);
     for (std::uint32_t k = 0; k < kept_.size(); ++k) {
@@ -131,8 +131,8 @@ class RingTracer {
     return place_[*found];
   }
 
-  /// The edge that the inside beside e goes on along: the first clockwise from e of those not yet used, or
-  /// `start`, where the ring began; unset if there are none.
+  /// The edge along which the inside beside e continues: the first clockwise from e among those not yet used
+  /// and `start`, where the ring began; unset if there are none.
   [[nodiscard]] std::uint32_t after(std::uint32_t e, std::uint32_t start) const {
     const auto place = placeAtEnd(e);
     std::uint32_t first = unset;
@@ -160,7 +160,7 @@ class RingTracer {
     }
   }
 
-  /// Takes loops off a closed walk wherever it comes back to a place.
+  /// Splits loops off a closed walk wherever it returns to a place.
   void split(std::span<const std::uint32_t> walk) {
     at_.resize(first_of_.size(), unset);
     std::vector<std::uint32_t> open;
@@ -182,7 +182,7 @@ class RingTracer {
     (isShell(loop.points) ? shells_ : holes_).push_back(std::move(loop));
   }
 
-  /// The shell that a hole lies in, of several the innermost; their number if there is none.
+  /// The innermost shell that a hole lies in; the number of shells if there is none.
   [[nodiscard]] std::size_t shellAround(const Loop& hole) const {
     std::size_t found = shells_.size();
     for (std::size_t s = 0; s < shells_.size(); ++s) {
@@ -196,8 +196,8 @@ class RingTracer {
     return found;
   }
 
-  /// Whether other cells, and not the outline, bound most of a loop: narrower than ties, a part may have been
-  /// turned around by them as a whole.
+  /// Whether other cells, and not the outline, bound most of a loop: ties may have turned around a whole part
+  /// narrower than they are.
   [[nodiscard]] bool isBesideCells(const Loop& loop) const {
     double cells = 0, border = 0;
     for (const auto e : loop.edges) {
@@ -210,7 +210,7 @@ class RingTracer {
     std::vector<std::vector<std::size_t>> holes_of(shells_.size());
     std::vector<std::size_t> turned;
     for (std::size_t h = 0; h < holes_.size(); ++h) {
-      // What lies in none is a part turned around, or the gap of rounding beside an edge.
+      // A hole in no shell is a part turned around, or a rounding gap beside an edge.
       if (const auto s = shellAround(holes_[h]); s < shells_.size()) {
         holes_of[s].push_back(h);
       } else if (isBesideCells(holes_[h])) {
@@ -236,9 +236,9 @@ class RingTracer {
   const Rings& outline_;
   ClippedCell& cell_;
   std::vector<Point> ends_;              ///< of each edge of the cell
-  std::vector<std::uint32_t> kept_;      ///< edges, by where they begin
-  std::vector<std::uint32_t> first_of_;  ///< of kept_, by place, and one more
-  std::vector<std::uint32_t> place_;     ///< where each edge begins
+  std::vector<std::uint32_t> kept_;      ///< edges, sorted by start point
+  std::vector<std::uint32_t> first_of_;  ///< index of the first edge in kept_, by place, and one more
+  std::vector<std::uint32_t> place_;     ///< number of each edge's start point
   std::vector<std::uint32_t> at_;        ///< by place: which edge of the open walk begins there
   std::vector<bool> used_;
   std::vector<Loop> shells_, holes_;

@@ -22,7 +22,7 @@ struct Ring {
 
 struct Extent {
   double area = 0, perimeter = 0;
-  double across = 0;  ///< by how much the area changes if every coordinate does by this part of itself
+  double across = 0;  ///< change of the area if every coordinate changes by this part of itself
 };
 
 Extent extentOf(std::span<const Point> ring) {
@@ -63,8 +63,8 @@ double outlineLength(const Ring& ring) {
 }
 
 /// Whether a ring is only the gap that rounding left between an edge of the outline and a coincident edge of
-/// the cell: its area is below rounding, and at least a quarter of its length is the outline's. A narrow cell
-/// that the outline crosses has much less of the outline.
+/// the cell. Its area is below rounding, and at least a quarter of its length belongs to the outline. In a
+/// narrow cell that the outline crosses, that share is much less.
 bool isSliver(const Ring& ring) {
   constexpr double rounding = 2 * std::numeric_limits<double>::epsilon(), share = 0.25;
   if (ring.points.empty()) return true;
@@ -82,7 +82,7 @@ void append(std::span<const Point> points, std::span<const std::int64_t> neighbo
   cell.neighbors.insert(cell.neighbors.end(), neighbors.begin(), neighbors.end());
 }
 
-/// Edges are sorted by this.
+/// Sort key of edges.
 std::tuple<std::int64_t, double, double> placeOf(std::int64_t neighbor, Point from) {
   return {neighbor, from.x, from.y};
 }
@@ -98,8 +98,7 @@ struct OutlineClip::State {
         .subspan(rings.offsets[ring], rings.offsets[ring + std::size_t{1}] - rings.offsets[ring]);
   }
 
-  /// Joins arcs by the sides of the polygon from where one leaves to where the next, counter-clockwise,
-  /// enters.
+  /// Joins arcs by the polygon's sides, counter-clockwise from where one arc leaves to where the next enters.
   void join(const Polygon& polygon, std::span<const std::int64_t> neighbors) {
     const auto& around = crossings.around();
     const auto& arcs = crossings.arcs();
@@ -132,8 +131,8 @@ struct OutlineClip::State {
     }
   }
 
-  /// Which of the outer rings a hole lies in, or their number. A ring of its polygon that is whole is known;
-  /// of one that is cut it may be any part.
+  /// Which of the outer rings a hole lies in; their number if none. If the hole's own outer ring is whole,
+  /// the answer is known; if it is cut, the hole may lie in any of its parts.
   [[nodiscard]] std::size_t partAround(std::uint32_t hole) const {
     const auto& whole = crossings.wholeRings();
     const auto around = index.rings().outer[hole];
@@ -147,7 +146,7 @@ struct OutlineClip::State {
     return outer.size();
   }
 
-  /// Adds the rings that are whole to the outer ones, but for holes.
+  /// Adds the whole rings, except holes, to the outer ones.
   void addWhole() {
     parts = outer.size();
     part_of.clear();
@@ -183,7 +182,7 @@ struct OutlineClip::State {
   Crossings crossings;
   std::vector<Ring> outer;  ///< first the parts of rings that are cut, then those that are whole
   std::size_t parts = 0;
-  std::vector<std::size_t> part_of;        ///< outer ring of each whole ring that is no hole
+  std::vector<std::size_t> part_of;        ///< index in outer of each whole ring that is not a hole
   std::vector<std::size_t> place, arc_of;  ///< by crossing: rank around the polygon; arc that enters there
   std::vector<bool> used;                  ///< by arc
 };

@@ -8,31 +8,31 @@
 
 namespace vorpipe::core {
 
-/// What is left of a cell: rings one after another, outer ones counter-clockwise, each followed by its holes,
-/// clockwise. Edge k runs from vertex k to the next of its ring.
+/// The part of a cell that remains: rings one after another, outer ones counter-clockwise, each followed by
+/// its holes, clockwise. Edge k runs from vertex k to the next of its ring.
 struct ClippedCell {
   std::vector<Point> vertices;
   std::vector<std::int64_t> neighbors;     ///< of each edge; wall_outline along the outline
   std::vector<std::uint32_t> ring_starts;  ///< the first vertex of each ring
-  std::vector<bool> hole;                  ///< whether each ring is one
-  /// Edges between sites, by the neighbor and by where they begin; none until sortEdges.
+  std::vector<bool> hole;                  ///< whether each ring is a hole
+  /// Edges between sites, sorted by neighbor and by start point; empty until sortEdges.
   std::vector<std::uint32_t> sorted_edges;
 
   void clear();
   [[nodiscard]] std::span<const Point> ring(std::size_t r) const;
-  /// Where all edges end.
+  /// The end points of all edges.
   [[nodiscard]] std::vector<Point> ends() const;
-  /// Where an edge ends.
+  /// The end point of an edge.
   [[nodiscard]] Point endOf(std::uint32_t edge) const;
 
-  /// Has edges be found quickly: cells that a long outline cuts into many parts have thousands in common.
+  /// Sorts edges for fast lookup: cells that a long outline cuts into many parts share thousands of edges.
   void sortEdges();
-  /// Whether an edge with a site as neighbor runs from a to b. To be called after sortEdges.
+  /// Whether an edge with a site as neighbor runs from a to b. Requires sortEdges.
   [[nodiscard]] bool hasEdge(std::int64_t neighbor, Point a, Point b) const;
 };
 
-/// Clips polygons. Every decision is exact, and where two polygons share an edge, crossings on it are the
-/// same points to the bit in both: the parts of polygons that cover the plane cover the inside.
+/// Clips polygons. Every decision is exact. If two polygons share an edge, crossings on it are bitwise equal
+/// in both: the parts of polygons that cover the plane cover the inside.
 class OutlineClip {
  public:
   /// Keeps a reference.
@@ -45,21 +45,21 @@ class OutlineClip {
     inside,
     outside,
     cut,
-    crossed,  ///< a polygon that crosses itself leaves no rings; border() has what is left
+    crossed,  ///< the polygon crosses itself and leaves no rings; border() returns what remains
   };
 
-  /// Clips the polygon of these vertices, counter-clockwise, whose edge k has the neighbor k. `near` has the
-  /// outline's edges whose boxes meet the polygon's, and perhaps others, ascending. `clipped` is replaced
-  /// where the outcome is `cut`. That a polygon crosses itself is seen only where the outline does not fit
-  /// it.
+  /// Clips the polygon of these vertices, counter-clockwise, whose edge k has the neighbor k. `near` lists,
+  /// ascending, the outline's edges whose boxes meet the polygon's, and perhaps others. `clipped` is replaced
+  /// if the outcome is `cut`. A polygon that crosses itself is detected only if its crossings with the
+  /// outline are inconsistent.
   Outcome clip(std::span<const Point> vertices, std::span<const std::int64_t> neighbors,
                std::span<const std::uint32_t> near, ClippedCell& clipped);
 
-  /// Replaces `edges` by the border of what is left of the same polygon, of which edges may cross.
+  /// Replaces `edges` by the border of the remaining part of the same polygon, whose edges may cross.
   void border(std::span<const Point> vertices, std::span<const std::uint32_t> near,
               std::vector<BorderEdge>& edges);
 
-  /// Of the polygon clipped last.
+  /// The crossings of the polygon clipped last.
   [[nodiscard]] std::span<const Crossing> crossings() const;
 
  private:

@@ -16,13 +16,13 @@
 namespace vorpipe::core {
 namespace {
 
-/// Cells that share one query for the edges near them: most cells are far from all edges.
+/// Number of cells that share one query for nearby edges: most cells are far from all edges.
 constexpr std::size_t group_size = 32;
 constexpr std::size_t clip_diagram_grain = 16 * group_size, again_grain = 256;
 /// Rounding error of an area along an outline of length 1.
 constexpr double line_rounding = 1e-14;
 
-/// Each time, what meets is nearer to what was given than before; more than four have not been needed.
+/// With each pass, contacts are closer to the given outline and cells; more than four have not been needed.
 constexpr int most_passes = 32;
 
 template <class T>
@@ -30,14 +30,14 @@ void append(std::vector<T>& to, const std::vector<T>& from) {
   to.insert(to.end(), from.begin(), from.end());
 }
 
-/// Counts the cells that are left.
+/// Counts the remaining cells.
 void countCells(Diagram& diagram) {
   const auto left = static_cast<std::uint64_t>(std::ranges::count(diagram.status, Status::ok));
   diagram.report.empty += diagram.report.ok - left;
   diagram.report.ok = left;
 }
 
-/// Checks that the cells cover the inside once.
+/// Checks that the cells cover the inside exactly once.
 Result<void> checkAreas(const ScaledDiagram& cells, const Rings& rings, const Diagram& diagram) {
   const double area = areaInside(rings, cells.domain());
   const double sum = cells.scaled(areaSum(diagram), 2);
@@ -56,7 +56,7 @@ Result<void> checkAreas(const ScaledDiagram& cells, const Rings& rings, const Di
                                               sum / area)));
 }
 
-/// What is known after every cell was clipped for itself.
+/// The result of clipping every cell by itself.
 struct FirstPass {
   std::vector<std::uint32_t> near;  ///< cells of the set, ascending
   Contacts contacts;
@@ -84,7 +84,7 @@ FirstPass clipAll(const ClippedRun& run, const ScaledDiagram& cells, const Outli
   return all;
 }
 
-/// Moves vertices of one cell but off its walls, and measures its edges anew.
+/// Moves vertices of one cell, except off its walls, and measures its edges anew.
 void moveVertices(const Box& domain, const ScaledDiagram& cells, std::uint32_t site,
                   std::span<const MovedVertex> moved, Diagram& diagram) {
   bool changed = false;
@@ -125,8 +125,8 @@ RoundedNodes clipAgain(const ClippedRun& run, const ScaledDiagram& cells, const 
   return all;
 }
 
-/// Has cells and outline meet in the same points, to the bit, where they meet exactly or are too near for
-/// doubles, and clips cells again for which that changes anything.
+/// Makes cells and outline meet in bitwise equal points, where they meet exactly or are too close for
+/// doubles. Clips affected cells again.
 void clipAtContacts(const ClippedRun& run, const ScaledDiagram& cells, const OutlineIndex& index,
                     FirstPass& first, ClippedCells& clipped, Diagram& diagram) {
   auto& [near, contacts] = first;

@@ -10,7 +10,7 @@ namespace {
 
 constexpr std::size_t clipped_records_grain = 4096;
 
-/// What replaces the arrays of a diagram that have something for each edge.
+/// Replacements of a diagram's arrays that have an element for each edge.
 struct EdgeArrays {
   std::vector<std::uint64_t> cell_offsets, ring_starts;
   std::vector<Point> vertices;
@@ -25,7 +25,7 @@ class ClippedWriter {
   ClippedWriter(const ScaledDiagram& cells, const ClippedCells& clipped, EdgeArrays& to, Diagram& diagram)
       : cells_(cells), clipped_(clipped), to_(to), diagram_(diagram) {}
 
-  /// Writes the records of site i, whose first ring is that number of all.
+  /// Writes the records of site i; `first_ring` is the number of its first ring among all.
   void cell(std::size_t i, std::size_t first_ring) {
     switch (clipped_.fate[i]) {
       case Fate::inside:
@@ -81,7 +81,7 @@ class ClippedWriter {
     diagram_.perimeter[i] = cells_.unscaled(perimeter);
   }
 
-  /// The neighbor of cell i across the edge from a to b, which was `neighbor` when it was clipped.
+  /// The final neighbor of cell i across the edge from a to b; clipping labeled it `neighbor`.
   [[nodiscard]] std::int64_t label(std::size_t i, std::int64_t neighbor, Point a, Point b) const {
     if (neighbor >= 0 && !isCommon(i, static_cast<std::size_t>(neighbor), a, b)) neighbor = wall_outline;
     if (neighbor != wall_outline) return neighbor;
@@ -100,8 +100,8 @@ class ClippedWriter {
     return false;
   }
 
-  /// The same, asked of the cell with fewer edges first: what one has, the other has from b to a, unless ties
-  /// joined its end to a wall.
+  /// The same for either cell, trying the one with fewer edges first. An edge of one is an edge of the other
+  /// from b to a, unless ties joined its end to a wall.
   [[nodiscard]] bool hadCommonEdge(std::size_t i, std::size_t j, Point a, Point b) const {
     const bool fewer = cells_.end(i) - cells_.begin(i) <= cells_.end(j) - cells_.begin(j);
     return fewer ? hadEdge(i, j, a, b) || hadEdge(j, i, b, a) : hadEdge(j, i, b, a) || hadEdge(i, j, a, b);
@@ -114,8 +114,8 @@ class ClippedWriter {
     return lengthOf({b.x - a.x, b.y - a.y}) <= shortest_edge * scale;
   }
 
-  /// Whether the edge of cell i from a to b is one of cell j, from b to a, and no tie. Of whole edges those
-  /// that are ties are gone already.
+  /// Whether the edge of cell i from a to b is also an edge of cell j, from b to a, and not a tie. Whole
+  /// edges that are ties are gone already.
   [[nodiscard]] bool isCommon(std::size_t i, std::size_t j, Point a, Point b) const {
     if (isTie(i, j, a, b) && !hadCommonEdge(i, j, a, b)) return false;
     if (clipped_.fate[j] == Fate::inside) return hadCommonEdge(i, j, a, b);

@@ -10,7 +10,7 @@
 
 namespace vorpipe::core {
 
-/// A diagram's cells, in units in which the domain is about 1.
+/// A diagram's cells, scaled so that the domain's size is about 1.
 class ScaledDiagram {
  public:
   ScaledDiagram(const ClippedRun& run, const Diagram& diagram);
@@ -18,13 +18,13 @@ class ScaledDiagram {
   [[nodiscard]] std::size_t size() const { return diagram_.status.size(); }
   [[nodiscard]] int threads() const { return run_.threads; }
   [[nodiscard]] const Box& domain() const { return domain_; }
-  /// Of a cell of the set.
+  /// The site of a cell of the set.
   [[nodiscard]] std::uint32_t siteOf(std::size_t cell) const { return run_.set.id[cell]; }
   [[nodiscard]] bool hasCell(std::size_t site) const { return diagram_.status[site] == Status::ok; }
   [[nodiscard]] Point site(std::size_t site) const {
     return scaled({run_.sites.x[site], run_.sites.y[site]});
   }
-  /// As the caller gave it.
+  /// In the caller's units.
   [[nodiscard]] Point givenSite(std::size_t site) const { return {run_.sites.x[site], run_.sites.y[site]}; }
   [[nodiscard]] Point centroid(std::size_t site) const { return scaled(diagram_.centroid[site]); }
   [[nodiscard]] std::size_t begin(std::size_t site) const { return diagram_.cell_offsets[site]; }
@@ -55,7 +55,7 @@ class ScaledDiagram {
   Box domain_;
 };
 
-/// What became of a cell; one that is not cut and inside stays as it is.
+/// The outcome for a cell; a cell that is neither outside nor cut stays as it is.
 enum class Fate : std::uint8_t { none, inside, outside, cut };
 
 struct ClippedCells {
@@ -64,8 +64,8 @@ struct ClippedCells {
   std::vector<std::unique_ptr<ClippedCell>> parts;  ///< of cells that are cut
 };
 
-/// Replaces the records in `diagram`, of which `cells` is, as clipToOutline says, but for measures of cells
-/// that are cut.
+/// Replaces the records in `diagram`, which `cells` refers to, as clipToOutline specifies, except the
+/// measures of cells that are cut.
 void writeClipped(const ScaledDiagram& cells, const ClippedCells& clipped, Diagram& diagram);
 
 }  // namespace vorpipe::core

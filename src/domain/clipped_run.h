@@ -1,4 +1,4 @@
-/// What is clipped to an outline.
+/// The input of clipping to an outline.
 #pragma once
 
 #include "cells/neighbor_rows.h"
@@ -6,13 +6,13 @@
 
 namespace vorpipe::core {
 
-/// The sites of a diagram and its domain, and the cells that it is of, as they were found.
+/// The sites and the domain of a diagram, and the cells as they were found.
 struct ClippedRun {
   const Sites& sites;
   const Box& domain;
   const SiteSet& set;
   const NeighborRows& rows;
-  int exponent;  ///< what is computed is in units times 2^exponent
+  int exponent;  ///< computation is in the caller's units times 2^exponent
   int threads;
 };
 

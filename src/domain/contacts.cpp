@@ -13,7 +13,7 @@
 namespace vorpipe::core {
 namespace {
 
-/// From as many on, the index is faster than to go through all.
+/// From this many edges on, the index is faster than testing all.
 constexpr std::size_t many_edges = 64;
 
 /// Whether p is nearer than `margin` along both axes to the box of a and b.
@@ -28,7 +28,7 @@ Point footOf(Point p, Point q, Point from) {
   return {p.x + along * (q.x - p.x), p.y + along * (q.y - p.y)};
 }
 
-/// Ties do not take a cell a corner of the domain.
+/// Ties never remove a corner of the domain from a cell.
 bool isCorner(const Box& domain, Point p) {
   return (p.x == domain.xmin || p.x == domain.xmax) && (p.y == domain.ymin || p.y == domain.ymax);
 }
@@ -45,37 +45,37 @@ WeightedPoint ContactFinder::site(std::int32_t cell) const {
   return {{run_.set.x[i], run_.set.y[i]}, run_.set.weight.empty() ? 0 : run_.set.weight[i]};
 }
 
-/// A neighbor of a cell by its index in the set, or a wall.
+/// A neighbor of a cell: its index in the set, or a wall.
 std::int32_t ContactFinder::inSet(std::uint32_t cell, std::int64_t neighbor) const {
   if (neighbor < 0) return static_cast<std::int32_t>(neighbor);
   const auto row = run_.rows.edges(cell);
   const auto found = std::ranges::find_if(
       row, [&](std::int32_t other) { return outsideIndex(run_.set, other) == neighbor; });
-  assert(found != row.end());  // a cell has edges with those of its row, and ties only take some away
+  assert(found != row.end());  // a cell's neighbors are in its row; ties only remove some
   return *found;
 }
 
-/// A filter: whether ties may have moved p, or the line, off each other.
+/// A filter: whether p is so close to the line that ties may have moved either off the other.
 bool ContactFinder::isNearLine(Point a, Point b, Point p) const {
   const double dx = b.x - a.x, dy = b.y - a.y;
   return std::abs(dx * (p.y - a.y) - dy * (p.x - a.x)) <= margin_ * (std::abs(dx) + std::abs(dy));
 }
 
-/// 1: p is nearer to the site of the cell than to a neighbor, or off a wall; -1: it is farther; 0: neither.
+/// 1: p is nearer to the site of the cell than to the neighbor, or on the inner side of a wall; -1: it is
+/// farther; 0: neither.
 int ContactFinder::sideOfBorder(const CellSides& sides, std::int64_t neighbor, Point p) const {
   const auto other = inSet(sides.cell, neighbor);
   if (other >= 0) return -nearerOf(site(static_cast<std::int32_t>(sides.cell)), site(other), p);
   return isOffWall(run_.set.domain, neighbor, p) ? 1 : 0;
 }
 
-/// Whether the vertex k lies at p, where not rounded.
+/// Whether the vertex k, before rounding, lies at p.
 bool ContactFinder::isVertex(const CellSides& sides, std::size_t k, Point p) const {
   return isNearBox(sides.from(k), sides.from(k), margin_, p) &&
          sideOfBorder(sides, sides.before(k), p) == 0 && sideOfBorder(sides, sides.neighbors[k], p) == 0;
 }
 
-/// Whether p lies between the ends of a side: on the bisector that it is a part of, or on it as rounded, or
-/// between the two.
+/// Whether p lies between the ends of a side: on its bisector, on the rounded side, or between the two.
 bool ContactFinder::isOnSide(const CellSides& sides, std::size_t k, Point p) const {
   const Point a = sides.from(k), b = sides.to(k);
   if (!isNearBox(a, b, margin_, p) || p == a || p == b) return false;
@@ -87,7 +87,7 @@ bool ContactFinder::isOnSide(const CellSides& sides, std::size_t k, Point p) con
   return exact == 0 || (exact != drawn && isNearForRounding(a, b, p));
 }
 
-/// On which side of the line from p to q the vertex k lies where not rounded, if that is known.
+/// On which side of the line from p to q the vertex k lies before rounding, if known.
 std::optional<int> ContactFinder::vertexSide(const CellSides& sides, std::size_t k, Point p, Point q) const {
   auto before = inSet(sides.cell, sides.before(k)), after = inSet(sides.cell, sides.neighbors[k]);
   const auto here = site(static_cast<std::int32_t>(sides.cell));
@@ -103,7 +103,7 @@ std::optional<int> ContactFinder::vertexSide(const CellSides& sides, std::size_t
                     wall);
 }
 
-/// Where the vertex k is without ties, rounded.
+/// The rounded position of vertex k without ties.
 Point ContactFinder::placeOf(const CellSides& sides, std::size_t k) const {
   return positionOf(cornerPosition(run_.set, static_cast<std::int32_t>(sides.cell),
                                    inSet(sides.cell, sides.before(k)),
@@ -113,7 +113,7 @@ Point ContactFinder::placeOf(const CellSides& sides, std::size_t k) const {
 void ContactFinder::findCorner(const CellSides& sides, Point corner, Contacts& found) const {
   bool meets = false;
   for (std::size_t k = 0; k < sides.size(); ++k) {
-    // Then it is near neither to the side nor to where that begins.
+    // If not near the line, it is near neither to the side nor to its start point.
     if (!isNearLine(sides.from(k), sides.to(k), corner)) continue;
     if (sides.from(k) == corner) {
       meets = true;
@@ -127,7 +127,7 @@ void ContactFinder::findCorner(const CellSides& sides, Point corner, Contacts& f
   if (meets && (found.cells.empty() || found.cells.back() != sides.cell)) found.cells.push_back(sides.cell);
 }
 
-/// Finds edges in the middle of which a corner of another one lies: rings may touch in points.
+/// Finds edges with a corner of another edge in their interior: rings may touch in points.
 void ContactFinder::findTouching(Point corner, std::span<const std::uint32_t> near, Contacts& found) {
   if (near.size() > many_edges) {
     index_.edgesIn({corner.x, corner.y, corner.x, corner.y}, at_corner_);
@@ -140,7 +140,7 @@ void ContactFinder::findTouching(Point corner, std::span<const std::uint32_t> ne
   }
 }
 
-/// Whether a side of the cell lies in the line through p and q: ties may have joined more sides at its end
+/// Whether a side of the cell lies on the line through p and q: ties may have joined more sides at its end
 /// than the two that meet there now.
 bool ContactFinder::isInLine(const CellSides& sides, std::int64_t neighbor, Point p, Point q) const {
   return neighbor >= 0 && sideOfBorder(sides, neighbor, p) == 0 && sideOfBorder(sides, neighbor, q) == 0;
@@ -224,7 +224,7 @@ bool isOffWall(const Box& domain, std::int64_t neighbor, Point p) {
 void sortNodes(std::vector<SideNode>& nodes) { std::ranges::sort(nodes, {}, orderOf); }
 
 std::vector<MovedVertex> agreed(std::vector<MovedVertex> moved) {
-  // What is known best comes first, then where the vertex is.
+  // The most accurate target comes first, then the vertex's present position.
   std::ranges::sort(moved, {}, [](const MovedVertex& m) {
     return std::tuple(m.from.x, m.from.y, m.target, m.to != m.from, m.to.x, m.to.y);
   });

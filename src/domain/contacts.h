@@ -1,6 +1,6 @@
-/// Where an outline and a diagram meet exactly: corners of the outline on edges and vertices of cells, and
-/// vertices on edges of the outline (decision D123). Rounding takes such places apart; as nodes of both they
-/// are one again.
+/// Exact contacts of an outline and a diagram: corners of the outline on edges and vertices of cells, and
+/// vertices on edges of the outline (decision D123). Rounding separates such points; as nodes of both they
+/// coincide again.
 #pragma once
 
 #include <optional>
@@ -13,11 +13,12 @@
 
 namespace vorpipe::core {
 
-/// Of the domain's shorter side: farther no tie moves a vertex, nor a cell without edges from its centroid.
+/// As a part of the domain's shorter side: ties move no vertex farther than this, nor a cell without edges
+/// farther from its centroid.
 inline constexpr double farthest_moved = 2e-4;
 
-/// A cell in the box as a polygon, counter-clockwise, without edges whose ends are equal: side k runs from
-/// vertex k to the next, with the neighbor k as in Diagram. Places are scaled.
+/// A cell in the box as a polygon, counter-clockwise, without edges whose ends are equal. Side k runs from
+/// vertex k to the next, with neighbor k as in Diagram. Coordinates are scaled.
 struct CellSides {
   std::uint32_t cell;  ///< of the set
   std::span<const Point> vertices;
@@ -30,53 +31,53 @@ struct CellSides {
   [[nodiscard]] std::int64_t before(std::size_t k) const { return neighbors[k > 0 ? k - 1 : size() - 1]; }
 };
 
-/// A vertex of the diagram whose place is known better than where it was rounded to, or moved by ties.
+/// A vertex of the diagram with a position more accurate than the one that rounding or ties gave it.
 struct MovedVertex {
   Point from, to;
-  /// A corner of the outline, where the vertex is without ties, rounded, or its foot on a side in its
+  /// A corner of the outline; the vertex without ties, rounded; or the vertex's foot on a side within its
   /// bisector.
   enum class Target : std::uint8_t { corner, crossing, foot } target;
 };
 
 struct Contacts {
   std::vector<MovedVertex> moved;
-  std::vector<EdgeNode> nodes;       ///< vertices on edges, before they moved, and corners on other edges
-  std::vector<std::uint32_t> cells;  ///< of the set, with a corner of the outline on a side or at a vertex
+  std::vector<EdgeNode> nodes;       ///< vertices on edges, before they moved; corners on other edges
+  std::vector<std::uint32_t> cells;  ///< of the set: a corner is on a side or at a vertex
   bool faults = false;               ///< rounding has made the rings of a cell cross themselves
 };
 
-/// A place that is to become a point of a side, which runs from a to b in one of two cells: a is less.
+/// A point to insert into a side, which runs from a to b in one of its two cells: a is less.
 struct SideNode {
   Point a, b, at;
 };
 
-/// A cell some of whose sides are several.
+/// A cell with some sides split into several.
 struct RefinedSides {
   std::vector<Point> vertices;
   std::vector<std::int64_t> neighbors;
-  std::vector<std::size_t> part_of;  ///< the side that each was
+  std::vector<std::size_t> part_of;  ///< the original side of each
 };
 
-/// Whether `neighbor` is a wall of the domain, and p does not lie in it. Ties may have joined a vertex to a
-/// wall beside it: then cells with a side in that wall have both points as vertices, and other cells the
+/// Whether `neighbor` is a wall of the domain and p does not lie on it. Ties may have joined a vertex to a
+/// nearby wall. Then cells with a side on that wall have both points as vertices, and other cells only the
 /// point off the wall.
 bool isOffWall(const Box& domain, std::int64_t neighbor, Point p);
 
-/// Sorts what insertCorners is to be given.
+/// Sorts nodes for insertCorners.
 void sortNodes(std::vector<SideNode>& nodes);
 
-/// Finds the contacts of one cell after the other. For one thread; keeps references.
+/// Finds the contacts of cells, one by one. For one thread; keeps references.
 class ContactFinder {
  public:
   ContactFinder(const ClippedRun& run, const OutlineIndex& index, double margin)
       : run_(run), index_(index), rings_(index.rings()), margin_(margin) {}
 
-  /// Adds what a cell has in common with the edges `near`: all whose boxes come as near to it as `margin`.
+  /// Adds the contacts of a cell with the edges `near`: all whose boxes come within `margin` of it.
   void find(const CellSides& sides, std::span<const std::uint32_t> near, Contacts& found);
 
-  /// Replaces `refined` by a cell with the corners among the beginnings of `near` that lie on its sides, and
-  /// `nodes`, sorted, as vertices; returns whether there are any. The cell on the other side of a side gets
-  /// the same.
+  /// Replaces `refined` by the cell with more vertices: the corners among the start points of `near` that lie
+  /// on its sides, and `nodes`, sorted. Returns whether there are any. The cell on the other side gets the
+  /// same vertices.
   bool insertCorners(const CellSides& sides, std::span<const std::uint32_t> near,
                      std::span<const SideNode> nodes, RefinedSides& refined);
 
@@ -102,10 +103,11 @@ class ContactFinder {
   std::vector<std::uint32_t> at_corner_;
 };
 
-/// Moves that are one for each vertex, whatever the order in which cells found them; ascending by where from.
+/// Returns one move for each vertex, independent of the order in which cells found them; ascending by old
+/// position.
 std::vector<MovedVertex> agreed(std::vector<MovedVertex> moved);
 
-/// Where a vertex has moved to, by agreed moves; itself if it has not.
+/// The new position of a vertex by agreed moves; the vertex itself if it has not moved.
 Point movedPlace(std::span<const MovedVertex> moved, Point vertex);
 
 }  // namespace vorpipe::core

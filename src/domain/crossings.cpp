@@ -23,8 +23,8 @@ DoubleDouble twiceArea(Point a, Point b, Point c) {
          DoubleDouble::sum(b.y, -a.y) * DoubleDouble::sum(c.x, -a.x);
 }
 
-/// Where two segments meet, to the bit the same for either direction of each. It lies in both segments'
-/// boxes, so that on a segment along an axis it is exact.
+/// The intersection of two segments, bitwise the same for either direction of each. It lies in both segments'
+/// boxes, so on an axis-parallel segment it is exact.
 Point meeting(Point a, Point b, Point p, Point q) {
   if (isLess(b, a)) std::swap(a, b);
   if (isLess(q, p)) std::swap(p, q);
@@ -53,7 +53,7 @@ void Crossings::cross(std::uint32_t edge) {
   }
 }
 
-/// How often the polygon goes around p, counter-clockwise.
+/// The winding number of the polygon around p, counter-clockwise.
 int Crossings::turnsAround(Point p) const {
   if (p.x < box_.xmin || p.x > box_.xmax || p.y < box_.ymin || p.y > box_.ymax) return 0;
   int turns = 0;
@@ -65,7 +65,8 @@ int Crossings::turnsAround(Point p) const {
   return turns;
 }
 
-/// Crossings along a way alternately enter and leave, even where rounding has made several of them one place.
+/// Sorts crossings along a segment so that they alternately enter and leave, even if rounding has merged
+/// several of them.
 bool Crossings::inTurns(std::vector<std::size_t>& crossings, bool enters_first, Point from, Point to) {
   std::ranges::stable_sort(crossings, {},
                            [&](std::size_t c) { return placeAlong(from, to, crossings_[c].at); });
@@ -78,8 +79,8 @@ bool Crossings::inTurns(std::vector<std::size_t>& crossings, bool enters_first, 
   return true;
 }
 
-/// Follows one edge through its crossings; `inside` says whether its beginning lies inside the polygon, and
-/// afterwards whether its end does.
+/// Follows one edge through its crossings. `inside` is whether its start lies inside the polygon; on return,
+/// whether its end does.
 bool Crossings::traceEdge(std::size_t first, std::size_t last, bool& inside) {
   if (first == last) return true;
   const auto edge = crossings_[first].edge;
@@ -98,11 +99,11 @@ bool Crossings::traceEdge(std::size_t first, std::size_t last, bool& inside) {
   return true;
 }
 
-/// `edges` are those of near_ that belong to one ring.
+/// Traces one ring; `edges` are its edges in near_.
 bool Crossings::traceRing(std::span<const std::uint32_t> edges) {
   const auto ring = rings_.ring[edges[0]];
   const bool whole = edges.size() == rings_.offsets[ring + std::size_t{1}] - rings_.offsets[ring];
-  // Where not all of the ring is near, one begins after a part of it that is not.
+  // If not all of the ring is near, start after a part that is not.
   std::size_t start = 0;
   while (!whole && rings_.next(edges[start > 0 ? start - 1 : edges.size() - 1]) == edges[start]) ++start;
   const std::size_t first_arc = arcs_.size(), first_crossing = crossings_.size();
@@ -129,7 +130,7 @@ bool Crossings::traceRing(std::span<const std::uint32_t> edges) {
     whole_.push_back(ring);
     return true;
   }
-  // The first arc began before the first edge: in the one that is still open.
+  // The first arc began before the first edge: in the arc that is still open.
   RingPart& head = arcs_[first_arc];
   head.enters = open_.enters;
   head.points.insert(head.points.begin(), open_.points.begin(), open_.points.end());
@@ -168,7 +169,7 @@ bool Crossings::order(bool inside) {
     while (end < all.size() && crossings_[all[end]].side == crossings_[all[begin]].side) ++end;
     on_side.assign(all.begin() + static_cast<std::ptrdiff_t>(begin),
                    all.begin() + static_cast<std::ptrdiff_t>(end));
-    // What enters has the rings' inside to its left: before it, as one goes around the polygon.
+    // An entering edge has the rings' inside to its left: before it, in order around the polygon.
     const std::size_t side = crossings_[on_side.front()].side;
     if (!inTurns(on_side, inside, polygon_.from(side), polygon_.to(side))) return false;
     around_.insert(around_.end(), on_side.begin(), on_side.end());
@@ -177,8 +178,9 @@ bool Crossings::order(bool inside) {
   return inside == began_inside;
 }
 
-/// Adds the pieces between crossings of a way, each as often as it counts there; backward if less than never.
-/// What enters the polygon is left by it in turn: so as many edges begin at a crossing as end there.
+/// Adds the pieces between crossings of a segment, each as often as its count there; backward if the count is
+/// negative. Entering and leaving edges alternate along the polygon, so as many edges begin at a crossing as
+/// end there.
 void Crossings::addPieces(std::vector<std::size_t>& crossings, Point from, Point to, int times,
                           std::size_t side, std::vector<BorderEdge>& edges) const {
   std::ranges::stable_sort(crossings, {},

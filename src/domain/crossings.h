@@ -1,4 +1,4 @@
-/// Where the rings of an outline cross the sides of one polygon, and the parts of rings inside of it.
+/// Crossings of an outline's rings with the sides of one polygon, and the parts of rings inside of it.
 #pragma once
 
 #include <span>
@@ -16,7 +16,7 @@ struct Polygon {
   [[nodiscard]] Point to(std::size_t k) const { return vertices[k + 1 < size() ? k + 1 : 0]; }
 };
 
-/// Where an edge of a ring crosses a side of a polygon.
+/// The crossing of a ring's edge with a side of a polygon.
 struct Crossing {
   std::uint32_t edge;
   std::size_t side;
@@ -38,28 +38,30 @@ struct BorderEdge {
 
 inline constexpr std::size_t no_crossing = ~std::size_t{0};
 
-/// Crossings and arcs of one polygon at a time; reuses its memory for the next.
+/// Crossings and arcs of one polygon at a time; reuses its memory.
 class Crossings {
  public:
   explicit Crossings(const Rings& rings) : rings_(rings) {}
 
-  /// Finds them for the edges `near`, ascending: all whose boxes meet the polygon's. False if they do not fit
-  /// together, because the polygon crosses itself.
+  /// Finds them for the edges `near`, ascending: all whose boxes meet the polygon's. Returns false if they
+  /// are inconsistent, because the polygon crosses itself.
   bool find(const Polygon& polygon, std::span<const std::uint32_t> near);
 
-  /// Orders the crossings as they stand around the polygon; false as find's. `inside` says whether its first
+  /// Orders the crossings around the polygon; returns false as find() does. `inside`: whether its first
   /// vertex lies inside the rings.
   bool order(bool inside);
 
-  /// Replaces `edges` by the border of what the rings and a polygon have in common, both of which may cross
-  /// themselves: it goes around as often as they do. `turns` says how often rings go around each vertex.
+  /// Replaces `edges` by the border of the intersection of the rings and a polygon, both of which may cross
+  /// themselves. The border's winding numbers are theirs. `turns`: the winding number of the rings around
+  /// each vertex.
   void border(const Polygon& polygon, std::span<const std::uint32_t> near, std::span<const int> turns,
               std::vector<BorderEdge>& edges);
 
   [[nodiscard]] const std::vector<Crossing>& all() const { return crossings_; }
   [[nodiscard]] const std::vector<RingPart>& arcs() const { return arcs_; }
   [[nodiscard]] const std::vector<std::uint32_t>& wholeRings() const { return whole_; }
-  /// Indices of all(), as order left them: in turns crossings that leave and that enter.
+  /// Indices into all(), in the order that order() established: crossings that leave and that enter
+  /// alternate.
   [[nodiscard]] const std::vector<std::size_t>& around() const { return around_; }
 
  private:

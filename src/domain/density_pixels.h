@@ -1,4 +1,4 @@
-/// Where the pixels of a density lie, and what they have.
+/// Positions and values of the pixels of a density.
 #pragma once
 
 #include <algorithm>
@@ -14,20 +14,20 @@ struct PixelAxis {
   double low, size;  ///< of the first pixel, in the caller's units
   std::int64_t count;
   bool periodic;
-  std::int64_t beyond;  ///< 1 where what lies beyond the ends is a pixel of its own, else 0
+  std::int64_t beyond;  ///< 1 if the region beyond each end is a pixel of its own, else 0
 
   [[nodiscard]] double pixelsTo(double place) const { return (place - low) / size; }
-  /// The pixel at a place that lies that many pixels from the lower end. Where the axis does not repeat, what
-  /// lies beyond its ends counts as in the first or last pixel.
+  /// The pixel at a distance of `pixels` pixels from the lower end. Unless the axis repeats, places beyond
+  /// its ends count as in the first or last pixel.
   [[nodiscard]] std::int64_t at(double pixels) const {
-    // Far beyond a box a whole number of pixels may be more than an integer holds.
+    // Far beyond a box, the number of pixels may overflow an integer.
     constexpr double most = 0x1p62;
     const auto pixel = static_cast<std::int64_t>(std::floor(std::clamp(pixels, -most, most)));
     return periodic ? pixel : std::clamp<std::int64_t>(pixel, -beyond, count - 1 + beyond);
   }
-  /// Whether it is a pixel of the density, or an image of one.
+  /// Whether `pixel` is a pixel of the density, or an image of one.
   [[nodiscard]] bool has(std::int64_t pixel) const { return beyond == 0 || (pixel >= 0 && pixel < count); }
-  /// The pixel that stands for one of any number, which the axis has.
+  /// The index of the density's pixel that represents a pixel with any number that the axis has.
   [[nodiscard]] std::size_t own(std::int64_t pixel) const {
     if (pixel >= 0 && pixel < count) return static_cast<std::size_t>(pixel);
     if (!periodic) return static_cast<std::size_t>(std::clamp<std::int64_t>(pixel, 0, count - 1));
@@ -36,7 +36,8 @@ struct PixelAxis {
   }
 };
 
-/// A density over a domain, repeated along its periodic axes, or at its own place. The density outlives this.
+/// A density over a domain, repeated along its periodic axes, or in its own box. The density outlives this
+/// object.
 class DensityPixels {
  public:
   DensityPixels(const Density& density, const Box& domain, Periodic periodic)
@@ -44,7 +45,7 @@ class DensityPixels {
 
   const PixelAxis x, y;
 
-  /// Rows of the density count from the top, those here from the bottom.
+  /// The value of a pixel. Rows of the density count from the top, `row` from the bottom.
   [[nodiscard]] double at(std::int64_t row, std::int64_t column) const {
     if (!y.has(row) || !x.has(column)) return 0;
     const std::size_t from_top = static_cast<std::size_t>(y.count) - 1 - y.own(row);

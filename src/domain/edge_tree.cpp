@@ -66,7 +66,7 @@ int OutlineIndex::turnsAround(Point p) const {
 }
 
 bool OutlineIndex::isOnEdge(Point p) const {
-  // In the box of an edge, what lies on its line lies on the edge.
+  // Within the box of an edge, a point on its line lies on the edge.
   return std::any_of(tree_->edges.qbegin(index::intersects(treeBox({p.x, p.y, p.x, p.y}))),
                      tree_->edges.qend(), [&](const Leaf& leaf) {
                        const auto e = leaf.second;

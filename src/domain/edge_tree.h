@@ -18,13 +18,13 @@ class OutlineIndex {
 
   [[nodiscard]] const Rings& rings() const { return rings_; }
 
-  /// Replaces `edges` by those whose boxes meet this one, in ascending order.
+  /// Replaces `edges` by those whose boxes meet `box`, in ascending order.
   void edgesIn(const Box& box, std::vector<std::uint32_t>& edges) const;
 
-  /// Whether a point lies inside; exact, one on an edge as sideOf says.
+  /// Whether a point lies inside; exact. A point on an edge is decided as in sideOf.
   [[nodiscard]] bool contains(Point p) const { return turnsAround(p) % 2 != 0; }
 
-  /// How often the rings go around a point, counter-clockwise; the same, of rings that may cross.
+  /// The winding number of the rings around a point, counter-clockwise; exact likewise; rings may cross.
   [[nodiscard]] int turnsAround(Point p) const;
 
   /// Whether a point lies on an edge; exact.

@@ -7,7 +7,7 @@
 namespace vorpipe::core {
 namespace {
 
-/// Adds a ring without its last point, which is the first.
+/// Adds a ring without its last point, which equals the first.
 bool addRing(const Geos& geos, const GEOSGeometry* ring, Outline& outline) {
   const GEOSCoordSequence* sequence = ring != nullptr ? GEOSGeom_getCoordSeq_r(geos.handle(), ring) : nullptr;
   unsigned count = 0;

@@ -1,4 +1,4 @@
-/// Outlines as GEOS has them, and back.
+/// Conversion of outlines to GEOS, and back.
 #pragma once
 
 #include <functional>
@@ -9,22 +9,22 @@
 
 namespace vorpipe::core {
 
-/// One polygon of an outline whose rings have points; none where GEOS refuses.
+/// One polygon of an outline whose rings have points; null if GEOS refuses.
 GeosGeometry polygonOf(const Geos& geos, const Outline& outline, std::size_t polygon);
 
-/// All polygons of it together; none where GEOS refuses.
+/// All polygons of an outline together; null if GEOS refuses.
 GeosGeometry geometryOf(const Geos& geos, const Outline& outline);
 
-/// Adds the polygons of a geometry, which may be a collection, or none. Points and lines in it are left out.
-/// False: GEOS refused.
+/// Adds the polygons of a geometry, which may be a collection, or null. Ignores points and lines in it.
+/// Returns false if GEOS refused.
 bool addPolygons(const Geos& geos, const GEOSGeometry* geometry, Outline& outline);
 
-/// What makes a geometry invalid, and where: "Self-intersection at (0.5, 0.5)", or where `place` takes it;
-/// nothing if it is valid. Error (input): GEOS could not tell, or the geometry is none.
+/// Returns what makes a geometry invalid, and where: "Self-intersection at (0.5, 0.5)", or the position
+/// converted by `place`; nothing if it is valid. Error (input): GEOS failed, or the geometry is null.
 Result<std::optional<std::string>> faultOf(const Geos& geos, const GEOSGeometry* geometry,
                                            const std::function<Point(Point)>& place = {});
 
-/// The part of checkOutline before that: offsets, numbers of points, and their size. The outline is not
+/// The first part of checkOutline: checks offsets, numbers of points, and their size. The outline is not
 /// empty.
 Result<void> checkRings(const Outline& outline);
 

@@ -66,8 +66,8 @@ void GroupClipper::again(std::uint32_t cell, std::span<const MovedVertex> moved,
   if (fate == Fate::cut) findRounded(sides, found);
 }
 
-/// Whether rings are no longer simple after where they cross the cell was rounded: all else is as exact signs
-/// say of what is given.
+/// Whether rounding the crossings has made the rings no longer simple: all else follows exact signs of the
+/// input.
 bool GroupClipper::hasFaultsAtCrossings() {
   rounded_.clear();
   for (const auto& crossing : clip_.crossings()) rounded_.push_back(crossing.at);
@@ -91,8 +91,8 @@ bool GroupClipper::hasFaultsAtCrossings() {
   return !faults_.empty();
 }
 
-/// What rounding has made cross passes an end of the one or the other by less than doubles show: there they
-/// are to meet. Crossings stay where they are, whatever ways are bent by that.
+/// Edges that cross because of rounding pass an end of each other at less than the resolution of doubles.
+/// There they must meet. Crossings stay where they are, whatever segments bend because of that.
 void GroupClipper::findRounded(const CellSides& sides, RoundedNodes& found) {
   asked_.resize(clipped_.vertices.size());
   for (std::uint32_t e = 0; e < asked_.size(); ++e) asked_[e] = e;
@@ -113,7 +113,7 @@ void GroupClipper::findRounded(const CellSides& sides, RoundedNodes& found) {
   }
 }
 
-/// Makes p a point of the way from a to b, in the outline and in the cell, if doubles do not tell them apart.
+/// Inserts p into the segment from a to b, in the outline and in the cell, if doubles do not separate them.
 void GroupClipper::join(const CellSides& sides, Point a, Point b, Point p, RoundedNodes& found) const {
   if (!isBetween(a, b, p) || !isNearForRounding(a, b, p)) return;
   const auto& rings = index_.rings();
@@ -131,7 +131,7 @@ void GroupClipper::addToEdge(std::uint32_t edge, Point p, RoundedNodes& found) c
   if (p != rings.points[edge] && p != rings.points[rings.next(edge)]) found.on_edges.push_back({edge, p});
 }
 
-/// Of the sides with nodes; what is found is of the whole sides.
+/// `part` counts the sides with nodes; the result refers to whole sides.
 void GroupClipper::addToSide(const CellSides& sides, std::size_t part, Point p, RoundedNodes& found) const {
   const CellSides parts{sides.cell, refined_.vertices, refined_.neighbors};
   if (p == parts.from(part) || p == parts.to(part)) return;
@@ -149,7 +149,7 @@ void GroupClipper::collect(std::size_t first_cell, std::size_t last_cell) {
     if (!cells_.hasCell(site)) continue;
     const std::size_t first = points_.size();
     cells_.appendCell(site, points_, neighbors_);
-    // A cell all of whose edges are ties has none.
+    // A cell whose edges are all ties has no edges.
     if (points_.size() == first) {
       points_.push_back(cells_.centroid(site));
       neighbors_.push_back(wall_outline);
@@ -158,8 +158,8 @@ void GroupClipper::collect(std::size_t first_cell, std::size_t last_cell) {
   }
 }
 
-/// Adds to the only member, beside vertices that ties joined to walls, where they are without ties; what lies
-/// between counts as the outline's. Returns whether there are any.
+/// Adds vertices to the only member, next to vertices that ties joined to walls: their positions without
+/// ties. The sides between them count as the outline's. Returns whether there are any.
 bool GroupClipper::leaveWalls(std::span<const MovedVertex> moved) {
   const auto sides = sidesOf(members_[0]);
   off_points_.clear();
@@ -184,13 +184,13 @@ bool GroupClipper::leaveWalls(std::span<const MovedVertex> moved) {
   return true;
 }
 
-/// Edges that any of these places, each moved by as much as ties may move it, may lie at.
+/// Finds edges that may contain any of these places, allowing for movement by ties.
 void GroupClipper::findEdges(std::span<const Point> places) {
   const Box box = boxOf(places);
   index_.edgesIn({box.xmin - margin_, box.ymin - margin_, box.xmax + margin_, box.ymax + margin_}, near_);
 }
 
-/// Whether a cell that rounding has left no width lies in an edge of the outline.
+/// Whether a cell that rounding has left no width lies on an edge of the outline.
 bool GroupClipper::runsAlongOutline(std::span<const Point> cell) const {
   return std::ranges::any_of(near_, [&](std::uint32_t e) {
     const Point p = index_.rings().points[e], q = index_.rings().points[index_.rings().next(e)];
@@ -217,7 +217,7 @@ Fate GroupClipper::clip(std::span<const Point> vertices, std::span<const std::in
   return traceBorder(vertices, neighbors);
 }
 
-/// What is left of a cell that ties or rounding have made cross itself.
+/// Keeps the remaining part of a cell that ties or rounding have made cross itself.
 Fate GroupClipper::traceBorder(std::span<const Point> vertices, std::span<const std::int64_t> neighbors) {
   clip_.border(vertices, near_, border_);
   clipped_.clear();
@@ -230,13 +230,13 @@ Fate GroupClipper::traceBorder(std::span<const Point> vertices, std::span<const 
   auto sorted_begins = clipped_.vertices, sorted_ends = ends;
   std::ranges::sort(sorted_begins, isLess);
   std::ranges::sort(sorted_ends, isLess);
-  // Below the range of predicates the signs of edges that meet do not go together.
+  // Below the range of the predicates, the signs of edges that meet are inconsistent.
   if (sorted_begins != sorted_ends) return fateOf(vertices[0]);
   cleanRings(index_.rings(), near_, std::move(ends), clipped_);
   return clipped_.vertices.empty() ? Fate::outside : Fate::cut;
 }
 
-/// What is left of a cell, if anything is.
+/// Keeps the remaining part of a cell, if any.
 Fate GroupClipper::keepPart(std::uint32_t site) {
   if (clipped_.vertices.empty()) return Fate::outside;
   out_.parts[site] = std::make_unique<ClippedCell>(clipped_);

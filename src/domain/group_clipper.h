@@ -7,7 +7,7 @@
 
 namespace vorpipe::core {
 
-/// Points at which edges of an outline and sides of cells are to meet, which rounding has made cross
+/// Points at which edges of an outline and sides of cells must meet, because rounding has made them cross
 /// elsewhere (decision D123).
 struct RoundedNodes {
   std::vector<EdgeNode> on_edges;
@@ -20,20 +20,20 @@ class GroupClipper {
   GroupClipper(const ClippedRun& run, const ScaledDiagram& cells, const OutlineIndex& index,
                ClippedCells& out);
 
-  /// Clips the cells `first` to `last` - 1 of the set, as if they had no contacts, which it adds to `found`.
-  /// Adds those to `near` whose own corners may be on another side of the outline.
+  /// Clips the cells `first` to `last` - 1 of the set as if they had no contacts, and adds their contacts to
+  /// `found`. Adds to `near` cells whose own corners may be on another side of the outline.
   void group(std::size_t first, std::size_t last, std::vector<std::uint32_t>& near, Contacts& found);
 
-  /// Clips a cell that is near again, with the contacts as its vertices: vertices of the diagram have moved
-  /// unless off walls, and the rings of the index have nodes, as have sides. Adds to `found` what else
-  /// rounding makes meet.
+  /// Clips a near cell again, with the contacts as its vertices. By now vertices of the diagram have moved,
+  /// unless off walls, and the rings of the index and the sides have nodes. Adds to `found` further points at
+  /// which rounding makes edges meet.
   void again(std::uint32_t cell, std::span<const MovedVertex> moved, std::span<const SideNode> nodes,
              RoundedNodes& found);
 
  private:
   struct Member {
     std::uint32_t cell, site;
-    std::size_t first, count;  ///< of points_ and neighbors_
+    std::size_t first, count;  ///< range in points_ and neighbors_
   };
 
   void collect(std::size_t first_cell, std::size_t last_cell);

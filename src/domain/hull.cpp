@@ -11,7 +11,7 @@
 namespace vorpipe {
 namespace {
 
-/// A line where all sites lie on one; none where GEOS refuses.
+/// The convex hull; a line if all sites lie on one; null if GEOS refuses.
 GeosGeometry hullIn(const Geos& geos, const Sites& sites) {
   GEOSCoordSequence* sequence = GEOSCoordSeq_copyFromArrays_r(
       geos.handle(), sites.x.data(), sites.y.data(), nullptr, nullptr, static_cast<unsigned>(sites.size()));
@@ -29,7 +29,7 @@ Result<Outline> makeHull(const Sites& sites, double margin) {
   if (!hull) return failed();
   const int type = GEOSGeomTypeId_r(geos.handle(), hull.get());
   const bool has_area = type == GEOS_POLYGON;
-  // Around a line a margin makes a rectangle.
+  // A margin turns a line into a rectangle.
   if (!has_area && (type != GEOS_LINESTRING || !(margin > 0))) {
     return refuseOutline(
         fmt::format("the hull of the sites has no area: they all {}",

@@ -16,8 +16,8 @@
 namespace vorpipe::core {
 namespace {
 
-/// What is around rounding, and no place: thinner than this part of its length, or of its extent beside that
-/// of the outline.
+/// A region thinner than this is rounding, not area: relative to its length, or to its extent beside that of
+/// the outline.
 constexpr double thinnest = 1e-10;
 
 std::span<const Point> ringAt(const Outline& outline, std::size_t ring) {
@@ -49,7 +49,7 @@ double areaOf(const Outline& outline) {
   return area;
 }
 
-/// The outline without polygons and holes that are slivers, which are counted.
+/// The outline without polygons and holes that are slivers; counts these.
 Outline withoutSlivers(const Outline& outline, std::size_t& slivers) {
   Outline kept;
   kept.ring_offsets = kept.polygon_offsets = {0};
@@ -99,7 +99,7 @@ class Mending {
     return refuseOutline(fmt::format("GEOS could not mend it: {}", geos_.message()));
   }
 
-  /// Takes each polygon as it is, if it is valid by itself; else repairs it.
+  /// Keeps each polygon that is valid by itself; repairs the others.
   Result<void> checkEach() {
     for (std::size_t p = 0; p + 1 < outline_.polygon_offsets.size(); ++p) {
       GeosGeometry polygon = polygonOf(geos_, outline_, p);
@@ -128,7 +128,7 @@ class Mending {
     return GEOSArea_r(geos_.handle(), geometry.get(), &area) == 1 ? area : 0;
   }
 
-  /// As core::repairedPolygon, and counted.
+  /// Same as core::repairedPolygon, with counting.
   GeosGeometry repaired(std::size_t polygon) {
     area_before_ += areaOf(outline_, polygon);
     rings_before_ += outline_.polygon_offsets[polygon + 1] - outline_.polygon_offsets[polygon];

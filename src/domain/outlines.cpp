@@ -17,32 +17,32 @@ namespace {
 
 constexpr double authalic_radius = 6371.0071809185;  ///< km; of the sphere of the area of WGS 84
 constexpr double parallel_step = 5;                  ///< degrees, of a box's sides
-constexpr double longest_side = 1;                   ///< degrees, of an outline before it is looked at
+constexpr double longest_side = 1;                   ///< degrees, of an outline before it is examined
 
 void addRing(std::span<const Point> points, Outline& outline) {
   outline.points.insert(outline.points.end(), points.begin(), points.end());
   outline.ring_offsets.push_back(outline.points.size());
 }
 
-/// Points from a place on a parallel to another, but for the last.
+/// Adds points from one place on a parallel to another, except the last.
 void addParallel(double latitude, double from, double to, std::vector<Point>& ring) {
   const auto steps = static_cast<int>(std::ceil(std::abs(to - from) / parallel_step));
   for (int k = 0; k < steps; ++k) ring.push_back({from + (to - from) * k / steps, latitude});
 }
 
-/// A side that is shorter the other way round goes there; one of a whole turn is meant.
+/// Whether a side takes the other way round because that is shorter; a side of a whole turn is intended.
 bool crossesAntimeridian(Point a, Point b) {
   const double apart = std::abs(a.x - b.x);
   return apart > whole_turn / 2 && apart < whole_turn;
 }
 
-/// Whether a ring ends a turn from where it began, as parallels do: then it is closed. At a pole that is one
-/// place, to which the ring was led.
+/// Whether a ring ends one turn from its start, as parallels do: then it is closed. At a pole the two ends
+/// are one place, to which the ring was led.
 bool goesAround(Point last, Point first) {
   return std::abs(first.x - last.x) == whole_turn && first.y == last.y && std::abs(first.y) != quarter_turn;
 }
 
-/// Whether the rings are some in degrees: none crosses the antimeridian or goes around a pole.
+/// Whether the rings are also rings in degrees: none crosses the antimeridian or goes around a pole.
 bool hasRingsInDegrees(const Outline& outline) {
   for (std::size_t r = 0; r + 1 < outline.ring_offsets.size(); ++r) {
     const auto begin = outline.ring_offsets[r], end = outline.ring_offsets[r + 1];
@@ -60,8 +60,8 @@ class Sides {
   Sides(const Projection& projection, double allowed, std::vector<Point>& plane)
       : projection_(projection), allowed_(allowed), plane_(plane) {}
 
-  /// Adds the places from a on, without b. Halving gives the same places from either end, so that what had a
-  /// side in common still has.
+  /// Adds the places from a on, without b. Halving gives the same places from either end, so shared sides
+  /// stay shared.
   void add(Point a, Point b) {
     if (crossesAntimeridian(a, b)) b.x += b.x < a.x ? whole_turn : -whole_turn;
     add(a, projection_.toPlane(a), b, projection_.toPlane(b));
@@ -87,7 +87,7 @@ class Sides {
   std::vector<Point>& plane_;
 };
 
-/// How far from the chord between two points more a side may lie.
+/// The largest allowed distance of a side from the chord between two added points.
 double allowedDeviation(const Projection& projection, const Outline& degrees) {
   constexpr double part = 1e-6;
   std::vector<Point> plane;
@@ -135,7 +135,8 @@ Result<Outline> outlineOfDegrees(const Box& degrees) {
     ring.push_back({xmin, ymax});
     addRing(ring, outline);
   } else {
-    // Around a pole: the parallel away from it, and inside it the other, unless that is the pole itself.
+    // Around a pole: the parallel away from it, and inside it the other parallel, unless that is the pole
+    // itself.
     if (ymin == -quarter_turn && ymax == quarter_turn) return refuse("it is the whole Earth");
     if (ymin < 0 && ymax > 0) {
       return refuse(
@@ -146,7 +147,7 @@ Result<Outline> outlineOfDegrees(const Box& degrees) {
     for (const double latitude : {north ? ymin : ymax, north ? ymax : ymin}) {
       if (std::abs(latitude) == quarter_turn) continue;
       ring.clear();
-      // Of the two sides of the equator, what is meant lies to the left.
+      // Of the two sides of the equator, the intended one lies to the left.
       addParallel(latitude, north ? xmin : xmax, north ? xmax : xmin, ring);
       ring.push_back({north ? xmax : xmin, latitude});
       addRing(ring, outline);
@@ -178,13 +179,14 @@ Result<Outline> toPlane(const Projection& projection, const Outline& degrees) {
 }
 
 Result<MendedOutline> mendedToPlane(const Projection& projection, const Outline& degrees, bool repair) {
-  // In degrees parts fit each other best; a side that goes the other way round is crossed there by others.
+  // Parts fit each other best in degrees; but a side that goes the other way round would cross others there.
   const bool is_outline = hasRingsInDegrees(degrees);
   auto first = is_outline ? mended(degrees, repair) : Result<MendedOutline>(MendedOutline{degrees, {}});
   if (!first) return first;
   const auto plane = toPlane(projection, first->outline);
   if (!plane) return tl::unexpected(plane.error());
-  // Places are told in degrees, as the outline was given, to 9 decimals: more are rounding by the projection.
+  // Messages give places in degrees, as the outline was given, to 9 decimals: more are rounding of the
+  // projection.
   constexpr double decimals = 1e9;
   const OutlineWords words{
       [&](Point kilometers) {
@@ -194,7 +196,7 @@ Result<MendedOutline> mendedToPlane(const Projection& projection, const Outline&
       " km2"};
   auto second = mended(*plane, repair || is_outline, words);
   if (!second) return second;
-  // What is an outline in degrees may touch itself in the plane, as along the antimeridian: no repair.
+  // A valid outline in degrees may touch itself in the plane, as along the antimeridian: that is no repair.
   if (!repair) second->changes.clear();
   if (!first->changes.empty() && !second->changes.empty()) first->changes += "; ";
   second->changes = first->changes + second->changes;

@@ -39,7 +39,7 @@ class OwnMasses {
     });
   }
 
-  /// Where the origin lies for the caller.
+  /// The origin in the caller's coordinates.
   [[nodiscard]] Point placeOf(std::size_t i, std::uint32_t cell, Point origin) const {
     const Point away{origin.x - cells_.set.x[cell], origin.y - cells_.set.y[cell]};
     const Point way = cells_.unscale(away);

@@ -13,7 +13,7 @@ namespace {
 
 constexpr std::size_t own_parts_grain = 512;
 
-/// Measures one cell after the other. For one thread.
+/// Measures cells, one by one. For one thread.
 class PartMeasures {
  public:
   PartMeasures(const ClippedRun& run, const OutlineIndex& index, const ClippedCells& clipped,
@@ -38,14 +38,14 @@ class PartMeasures {
       case Outcome::crossed:
         break;
     }
-    // What ties have turned around may cross itself.
+    // A polygon that ties have turned around may cross itself.
     if (joined_.fate[i] != Fate::cut) return {};
     takePart(i, *joined_.parts[i]);
     return *joined_.parts[i];
   }
 
  private:
-  /// Rounded, and each place once.
+  /// Rounds the corners and keeps each place once.
   void placeCorners(std::span<const AnchoredPoint> corners) {
     points_.clear();
     for (const auto& corner : corners) {
@@ -64,7 +64,7 @@ class PartMeasures {
     return clip_.clip(points_, labels_, near_, clipped_);
   }
 
-  /// A polygon that is whole as well has the measures of the box.
+  /// Measures a whole cell; if its joined polygon is whole, too, the box's measures stay.
   void takeWhole(std::size_t i, std::uint32_t cell, std::span<const AnchoredPoint> corners) {
     if (joined_.fate[i] == Fate::inside) return;
     const Point origin = measuringOrigin(run_.set, cell, corners.front());

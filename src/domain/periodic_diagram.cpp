@@ -17,7 +17,7 @@
 namespace vorpipe::core {
 namespace {
 
-/// Adds up the times of all runs; a stage that none had stays negative.
+/// Adds up the times of all runs; a stage that occurred in none stays negative.
 void addTimes(const Times& run, Times& sum) {
   const auto add = [](double from, double& to) {
     if (from >= 0) to = std::max(to, 0.0) + from;
@@ -37,7 +37,7 @@ Band wholeBand(const PeriodicSites& placed, Band band) {
   return band;
 }
 
-/// Runs over sites and images, with wider and wider bands.
+/// Runs over sites and images, with increasingly wide bands.
 class Runs {
  public:
   Runs(const Machine& machine, const Sites& sites, const PeriodicSites& placed, CellsOptions options,
@@ -119,7 +119,7 @@ Result<PeriodicCells> periodicCellsOn(const Machine& machine, const Sites& sites
   const Stopwatch order_watch;
   auto placed = placeSites(sites, options.domain, options.periodic, machine.threads);
   if (!placed) return tl::unexpected(placed.error());
-  // As wide as a picture needs it, and more.
+  // As wide as a picture needs, and more.
   Band band = likelyBandForCells(*placed, machine.threads);
   Runs runs(machine, sites, *placed, options, purpose);
   runs.times.order = 1e3 * order_watch.seconds();

@@ -1,4 +1,4 @@
-/// Cells of a periodic domain: those of an ordinary diagram of the sites and some images.
+/// Cells of a periodic domain, from an ordinary diagram of the sites and some images.
 #pragma once
 
 #include <memory>
@@ -8,15 +8,15 @@
 
 namespace vorpipe::core {
 
-/// Cells, and where the caller wants more of them, what they were found with.
+/// Cells, and on request the run that found them.
 struct PeriodicCells {
   Diagram diagram;
-  std::unique_ptr<SiteRun> run;  ///< null where only data is wanted
+  std::unique_ptr<SiteRun> run;  ///< null if only data is wanted
   Scene scene;                   ///< of the run
 };
 
-/// What Session::cells does where options.periodic names an axis, but for outlines and mass. Errors: those of
-/// boxDiagramOn and placeSites.
+/// Does what Session::cells does if options.periodic names an axis, except for outlines and mass. Errors:
+/// those of boxDiagramOn and placeSites.
 Result<PeriodicCells> periodicCellsOn(const Machine& machine, const Sites& sites, const CellsOptions& options,
                                       ImagesFor purpose);
 

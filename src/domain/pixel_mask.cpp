@@ -8,10 +8,10 @@
 namespace vorpipe::core {
 namespace {
 
-/// Rows that one thread masks at a time.
+/// Number of rows that one thread masks at a time.
 constexpr int band_rows = 32;
 
-/// The centers of an image's pixels, in the domain times a power of two.
+/// The centers of an image's pixels, in the domain scaled by a power of two.
 class Centers {
  public:
   Centers(const Box& domain, const Image& image, int exponent)
@@ -41,7 +41,7 @@ class Centers {
   Box domain_;
 };
 
-/// For each band of rows the edges that may cross one of them.
+/// For each band of rows, the edges that may cross one of them.
 struct Bands {
   std::vector<std::uint64_t> offsets;
   std::vector<std::uint32_t> edges;
@@ -51,7 +51,7 @@ Bands bandsOf(const Rings& rings, const Centers& centers, int height) {
   const int count = (height + band_rows - 1) / band_rows;
   const auto eachBand = [&](std::uint32_t e, const auto& take) {
     const Point p = rings.points[e], q = rings.points[rings.next(e)];
-    // A row more on either side for what rounding does to the estimate.
+    // One more row on either side allows for rounding of the estimate.
     const int top = std::max(0, centers.rowsAbove(std::max(p.y, q.y)) - 1);
     const int bottom = std::min(height - 1, centers.rowsAbove(std::min(p.y, q.y)) + 1);
     for (int band = top / band_rows; band <= bottom / band_rows; ++band) take(static_cast<std::size_t>(band));
@@ -70,7 +70,7 @@ Bands bandsOf(const Rings& rings, const Centers& centers, int height) {
   return bands;
 }
 
-/// How many centers of a row lie left of an edge that crosses it.
+/// Number of centers of a row that lie left of an edge that crosses it.
 int columnsLeftOf(Point p, Point q, const Centers& centers, double y, int width) {
   const double along = (y - p.y) / (q.y - p.y);
   int column = centers.columnsLeftOf(p.x + along * (q.x - p.x));

@@ -6,9 +6,10 @@
 namespace vorpipe::core {
 namespace {
 
-/// Of a height of 1 pixel, or of a lower polygon's: so few that those of 100,000 edges in a row can be added.
+/// Bits of a height of 1 pixel, or of a lower polygon's: few enough to add 100,000 edges in a row.
 constexpr int height_bits = 45;
-/// Of a whole polygon's height, which is a number of 63 bits as well: a higher polygon has fewer for a pixel.
+/// Bits of a whole polygon's height, which must fit into 63 bits, too: a higher polygon has fewer bits per
+/// pixel.
 constexpr int most_bits = 62;
 
 }  // namespace
@@ -63,7 +64,7 @@ void PixelRows::gatherRow(std::int64_t row) {
   for (const Edge& edge : active_) addInRow(edge);
 }
 
-/// Cuts what lies of an edge in the row at the lines of columns.
+/// Cuts the part of an edge in the row at the column lines.
 void PixelRows::addInRow(const Edge& edge) {
   const double slope = (edge.x1 - edge.x0) / static_cast<double>(edge.y1 - edge.y0);
   const auto xAt = [&](Height y) {

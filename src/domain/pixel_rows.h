@@ -14,13 +14,13 @@ struct PixelIntegrals {
   double area = 0, x = 0, y = 0, xx = 0, yy = 0;
 };
 
-/// Rings over a grid of pixels, whose lines of columns lie at column - offset.x, those of rows at row -
-/// offset.y. Points have x and y of 0 and more, and what lies beyond the first and last row and column
-/// counts as in them.
+/// Rings over a grid of pixels. Grid lines of columns lie at column - offset.x, those of rows at row -
+/// offset.y. Points have nonnegative x and y; places beyond the first and last row and column count as in
+/// them.
 ///
-/// Each edge, cut at the lines, adds to its pixel what lies between it and the pixel's left side, and to the
-/// pixels to the left of that its height. Heights are whole numbers, so that they add up exactly: a pixel
-/// that the rings do not touch gets nothing, one inside all of it.
+/// Edges are cut at the grid lines. Each piece adds to its pixel the region between it and the pixel's left
+/// side, and adds its height to all pixels to the left. Heights are integers, so they add up exactly: a pixel
+/// that the rings do not touch gets exactly nothing, and one inside gets all of it.
 class PixelRows {
  public:
   struct Range {
@@ -53,7 +53,7 @@ class PixelRows {
     Height y0, y1;  ///< y0 < y1
     int sign;       ///< 1 upward
   };
-  /// What the edges in a pixel add to it, and their heights.
+  /// The contribution of the edges in a pixel to it, and their heights.
   struct Part {
     PixelIntegrals own;
     Height height = 0;
@@ -77,10 +77,10 @@ class PixelRows {
 
   Point offset_{};
   Range columns_{}, rows_{}, touched_{};
-  double unit_ = 1, units_ = 1;  ///< of a height in pixels; in a pixel
-  Height low_ = 0, high_ = 0;    ///< of the row at hand
+  double unit_ = 1, units_ = 1;  ///< one height unit, in pixels; height units per pixel
+  Height low_ = 0, high_ = 0;    ///< of the present row
   std::vector<Edge> edges_, active_;
-  std::size_t next_ = 0;  ///< edge that has not begun
+  std::size_t next_ = 0;  ///< first edge that has not begun
   std::vector<Part> parts_;
 };
 

@@ -1,4 +1,4 @@
-// Places on the Earth: whether they are, amid which, and in the plane.
+// Places on the Earth: validity, projections centered among them, and conversion to the plane.
 #include <fmt/core.h>
 
 #include <algorithm>
@@ -43,18 +43,17 @@ SpacePoint inSpace(Point degrees) {
   return {std::cos(y) * std::cos(x), std::cos(y) * std::sin(x), std::sin(y)};
 }
 
-/// Where what is seen in this direction from the center of the Earth lies; degrees. Nothing: the center
-/// itself.
+/// The place in this direction from the center of the Earth; degrees. Nothing for the center itself.
 std::optional<Point> placeToward(const SpacePoint& at) {
   constexpr double least = 1e-9;
   const double across = std::hypot(at[0], at[1]);
   if (across >= least) return Point{std::atan2(at[1], at[0]) / degree, std::atan2(at[2], across) / degree};
-  // At a pole any longitude is as good.
+  // At a pole any longitude will do.
   if (std::abs(at[2]) >= least) return Point{0, std::copysign(quarter_turn, at[2])};
   return {};
 }
 
-/// The box around places in space.
+/// The bounding box of places in space.
 class SpaceBox {
  public:
   void add(Point degrees) {
@@ -65,7 +64,7 @@ class SpaceBox {
     }
   }
 
-  /// Where its middle lies. Nothing: places are all around the Earth.
+  /// The place of its middle. Nothing: places are all around the Earth.
   [[nodiscard]] std::optional<Point> middle() const {
     return placeToward({low_[0] + high_[0], low_[1] + high_[1], low_[2] + high_[2]});
   }
@@ -74,7 +73,7 @@ class SpaceBox {
   SpacePoint low_ = {1, 1, 1}, high_ = {-1, -1, -1};
 };
 
-/// The middle of what lies to the left of a ring: of a hemisphere, whose border is all around the Earth.
+/// The middle of the region to the left of a ring that goes around the Earth, such as a hemisphere.
 std::optional<Point> middleLeftOf(std::span<const Point> ring) {
   SpacePoint sum{};
   for (std::size_t i = 0; i < ring.size(); ++i) {
@@ -93,7 +92,7 @@ Result<Projection> projectionNear(Point middle) {
   return Projection::around({rounded(middle.x), rounded(middle.y)});
 }
 
-/// Refuses a site that is no place.
+/// Refuses a site that is not a place.
 Result<void> checkPlaces(const Sites& degrees) {
   for (std::size_t i = 0; i < degrees.size(); ++i) {
     const Point place{degrees.x[i], degrees.y[i]};
@@ -141,7 +140,7 @@ Result<Sites> toPlane(const Projection& projection, const Sites& degrees, int th
 }
 
 Sites turned(const Projection& projection, Sites degrees) {
-  // The meridian opposite to the center is east of it, as toDegrees has it.
+  // The meridian opposite to the center counts as east of it, as in toDegrees.
   for (double& x : degrees.x) x -= whole_turn * std::ceil((x - projection.center().x) / whole_turn - 0.5);
   return degrees;
 }
@@ -153,7 +152,7 @@ void toDegrees(const Projection& projection, const Sites& degrees, Diagram& diag
     });
   };
   convert(diagram.vertices, [&](std::size_t, Point at) { return projection.toDegrees(at); });
-  // Where there is no cell these are the site itself.
+  // Without a cell, these are the site itself.
   const auto ofSite = [&](std::size_t i, Point at) {
     return diagram.status[i] == Status::ok ? projection.toDegrees(at) : Point{degrees.x[i], degrees.y[i]};
   };

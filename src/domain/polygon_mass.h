@@ -10,17 +10,17 @@ namespace vorpipe::core {
 
 struct PolygonMass {
   double mass = 0;
-  Point center{0, 0};  ///< of the mass, seen from where the polygon was; only where there is mass
+  Point center{0, 0};  ///< of the mass, relative to the polygon's origin; only if there is mass
   double spread = 0;   ///< integral of the squared distance to the center
 };
 
-/// Weighs one polygon after the other, as measureMass says. For one thread; the pixels outlive it.
+/// Weighs polygons one by one, as specified for measureMass. For one thread; the pixels outlive this object.
 class PolygonScale {
  public:
   explicit PolygonScale(const DensityPixels& pixels) : pixels_(pixels) {}
 
-  /// Begins a polygon whose points are seen from `origin`, and lie in `around`. Where that is in one pixel,
-  /// returns its density, and nothing is to be added: the mass is this times the area.
+  /// Begins a polygon whose points are relative to `origin` and lie in `around`. If that is within one pixel,
+  /// returns its density, and no edges need be added: the mass is density times area.
   std::optional<double> begin(Point origin, const Box& around);
 
   /// Adds an edge; the polygon lies to its left.

@@ -18,7 +18,7 @@ constexpr double ellipticity = flattening * (2 - flattening);  ///< e^2
 const double eccentricity = std::sqrt(ellipticity);
 /// Snyder's q at the pole (3-12): the Earth has the area 2 pi a^2 q.
 const double q_of_pole = 1 + (1 - ellipticity) / eccentricity * std::atanh(eccentricity);
-/// Of the sphere of the same area (3-13).
+/// Radius of the sphere of the same area (3-13).
 const double radius = equator_radius * std::sqrt(q_of_pole / 2);
 
 /// A latitude, as sine and cosine.
@@ -26,8 +26,8 @@ struct Latitude {
   double sine, cosine;
 };
 
-/// The authalic latitude of a geodetic one, in degrees from -90 to 90 (3-11, 3-12). What q lacks to that of
-/// the pole is computed, and not q: near the pole a sine says little of its angle.
+/// The authalic latitude of a geodetic one, in degrees from -90 to 90 (3-11, 3-12). It computes the
+/// difference of q from its value at the pole, not q: near the pole a sine determines its angle poorly.
 Latitude authalic(double latitude) {
   const double above = std::abs(latitude);
   double sine = std::sin(above * degree), lack = 1 - sine;  // 1 - sine, of the geodetic latitude
@@ -45,8 +45,8 @@ Latitude authalic(double latitude) {
 
 double angleOf(const Latitude& latitude) { return std::atan2(latitude.sine, latitude.cosine); }
 
-/// The geodetic latitude, in degrees, of an authalic one, in radians: by the series (3-18), and then as often
-/// as it takes by what is missing, of which each step leaves 1 / 200.
+/// The geodetic latitude, in degrees, of an authalic one, in radians. It uses the series (3-18), then
+/// corrects by the remaining error until done; each step leaves 1 / 200 of it.
 double geodetic(double authalic_angle) {
   constexpr double e2 = ellipticity, e4 = e2 * e2, e6 = e4 * e2;
   double latitude =
@@ -62,7 +62,7 @@ double geodetic(double authalic_angle) {
   return std::clamp(latitude, -quarter_turn, quarter_turn);
 }
 
-/// The longitude from -180, which it is not, to 180: exact, and the same for every turn.
+/// The longitude in (-180, 180]: exact, and the same for every turn.
 double inTurn(double longitude) {
   const double rest = std::remainder(longitude, whole_turn);
   return rest == -whole_turn / 2 ? whole_turn / 2 : rest;
@@ -103,7 +103,7 @@ Point Projection::toPlane(Point degrees) const {
   if (denominator >= 1) {
     scale = std::sqrt(2 / denominator);  // (24-19)
   } else {
-    // Far away it is the distance that is known well, and the direction.
+    // Far away, distance and direction are more accurate.
     const double sine = std::hypot(across, along);
     if (sine == 0) along = 1;
     scale = std::sqrt(2 * (2 - denominator)) / (sine == 0 ? 1 : sine);

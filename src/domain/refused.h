@@ -1,4 +1,4 @@
-/// Outlines that are not taken.
+/// Refusal of outlines.
 #pragma once
 
 #include <string>
@@ -9,7 +9,7 @@
 
 namespace vorpipe {
 
-/// Error (input) about the outline: `what` is wrong with it.
+/// Returns an error (input) about the outline: `what` is wrong with it.
 inline tl::unexpected<Error> refuseOutline(const std::string& what) {
   return tl::unexpected(refusalOf(Subject::outline, what));
 }

@@ -11,7 +11,7 @@
 namespace vorpipe::core {
 namespace {
 
-/// The rings of a polygon as they are, which may cross.
+/// The rings of a polygon unchanged; they may cross.
 Rings ringsOf(const Outline& outline, std::size_t polygon) {
   Rings rings;
   rings.offsets.push_back(0);
@@ -25,13 +25,13 @@ Rings ringsOf(const Outline& outline, std::size_t polygon) {
   return rings;
 }
 
-/// Tells which places a polygon has.
+/// Decides which places belong to a polygon.
 class Windings {
  public:
   explicit Windings(const Rings& rings)
       : rings_(rings), index_(rings), xmax_(boxOf(rings.points).xmax), odd_(rings.offsets.size() - 1) {}
 
-  /// Whether the first ring winds around it an odd number of times, and none of the others.
+  /// Whether the first ring winds around p an odd number of times, and none of the others does.
   bool contains(Point p) {
     std::fill(odd_.begin(), odd_.end(), false);
     index_.edgesIn({p.x, p.y, std::max(p.x, xmax_), p.y}, edges_);
@@ -58,7 +58,7 @@ GeosGeometry collected(const Geos& geos, int kind, std::vector<GeosGeometry> par
                                                  static_cast<unsigned>(taken.size())));
 }
 
-/// All places that rings part from each other, as polygons.
+/// All faces that rings separate from each other, as polygons.
 GeosGeometry facesOf(const Geos& geos, const Rings& rings) {
   std::vector<GeosGeometry> lines;
   for (std::size_t r = 0; r + 1 < rings.offsets.size(); ++r) {

@@ -1,4 +1,4 @@
-/// What polygons are whose rings cross themselves or each other.
+/// Repair of polygons whose rings cross themselves or each other.
 #pragma once
 
 #include <cstddef>
@@ -7,8 +7,8 @@
 
 namespace vorpipe::core {
 
-/// What the outer ring of a polygon winds around an odd number of times, without what each of its holes does.
-/// None where GEOS refuses. Takes time and memory as the edges and their crossings are many.
+/// Returns the region that a polygon's outer ring winds around an odd number of times, minus the like regions
+/// of its holes. Null if GEOS refuses. Time and memory grow with the number of edges and their crossings.
 GeosGeometry repairedPolygon(const Geos& geos, const Outline& outline, std::size_t polygon);
 
 }  // namespace vorpipe::core

@@ -8,8 +8,7 @@
 namespace vorpipe::core {
 namespace {
 
-/// Up to as many pairs of edges are compared one by one; where there are more, a tree of edges finds which
-/// may meet.
+/// Up to this many pairs of edges are compared one by one; for more, a tree of edges finds candidates.
 constexpr std::size_t few_pairs = std::size_t{1} << 16;
 
 bool isWithin(Point low, Point high, Point p) {
@@ -17,7 +16,7 @@ bool isWithin(Point low, Point high, Point p) {
          p.y <= std::max(low.y, high.y);
 }
 
-/// Whether p, which lies on their line, lies between a and b and is neither.
+/// Whether p, on the line of a and b, lies strictly between them.
 bool isInside(Point a, Point b, Point p) { return p != a && p != b && isWithin(a, b, p); }
 
 bool haveMoreThanEnds(Point a, Point b, Point c, Point d) {

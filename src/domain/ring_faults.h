@@ -1,4 +1,4 @@
-/// Where rounding has made the rings of a clipped cell cross or touch themselves.
+/// Finds where rounding has made the rings of a clipped cell cross or touch themselves.
 #pragma once
 
 #include "domain/clip_cell.h"
@@ -9,8 +9,9 @@ struct EdgePair {
   std::uint32_t e, f;
 };
 
-/// Adds each pair of edges that have more in common than ends, exactly, of the vertices as they are: of those
-/// in `asked` with all others, once or twice. Two that run to and fro between the same points are none.
+/// Adds each pair of edges that share more than ends. The test is exact for the vertices as they are. It
+/// compares edges in `asked` with all others, and may add a pair twice. Two edges that run back and forth
+/// between the same points do not count.
 void findFaults(const ClippedCell& cell, std::span<const std::uint32_t> asked, std::vector<EdgePair>& faults);
 
 }  // namespace vorpipe::core

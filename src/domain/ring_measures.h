@@ -10,11 +10,11 @@
 
 namespace vorpipe::core {
 
-/// The measures of rings about the same origin; those of holes, which run clockwise, are taken away.
+/// The measures of rings about the same origin; those of holes, which run clockwise, are subtracted.
 class RingMeasures {
  public:
   void add(std::span<const Point> ring, bool hole) {
-    // Seen from the ring itself: of a small one far from the origin nothing would be left.
+    // Relative to the ring itself: a small ring far from the origin would lose all digits.
     const Point from = ring.front();
     points_.clear();
     for (const Point p : ring) points_.push_back({p.x - from.x, p.y - from.y});

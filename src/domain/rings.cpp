@@ -18,7 +18,7 @@ bool isInBox(Point a, Point b, Point p) {
          p.y <= std::max(a.y, b.y);
 }
 
-constexpr double farthest_corner = 0x1p200;  ///< what predicates stand
+constexpr double farthest_corner = 0x1p200;  ///< limit of the predicates
 
 /// The part of the way from p to q that has a < coordinate < b, as numbers of [0, 1] along it.
 struct StageRange {
@@ -35,7 +35,7 @@ struct StageRange {
   }
 };
 
-/// What the edge from p to q adds to the area of the box's part to the left of it, down to xmin.
+/// The edge's contribution to the area of the box's part to its left, down to xmin.
 DoubleDouble areaBeside(Point p, Point q, const Box& box) {
   StageRange rows;
   rows.keepBetween(p.y, q.y, box.ymin, box.ymax);
@@ -85,7 +85,7 @@ Result<Rings> ringsOf(const Outline& outline, int exponent) {
 }
 
 bool isCounterClockwise(std::span<const Point> ring) {
-  // At its leftmost point it turns the way it runs.
+  // At its leftmost point a ring turns in the direction in which it runs.
   const auto leftmost = static_cast<std::size_t>(std::ranges::min_element(ring, isLess) - ring.begin());
   const Point before = ring[leftmost > 0 ? leftmost - 1 : ring.size() - 1];
   const Point after = ring[leftmost + 1 < ring.size() ? leftmost + 1 : 0];
@@ -114,7 +114,7 @@ bool liesIn(std::span<const Point> outer, std::span<const Point> ring) {
     }
     if (!touches) return inside;
   }
-  // All of its corners are on the other: one that is no larger.
+  // All of its corners are on the other ring: it lies inside if it is no larger.
   return std::abs(areaOfRing(ring)) <= std::abs(areaOfRing(outer));
 }
 

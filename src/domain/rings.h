@@ -1,4 +1,4 @@
-/// An outline made ready for clipping.
+/// An outline prepared for clipping.
 #pragma once
 
 #include <array>
@@ -14,25 +14,25 @@ namespace vorpipe::core {
 /// Lexicographic order: by x, then by y.
 inline bool isLess(Point a, Point b) { return a.x < b.x || (a.x == b.x && a.y < b.y); }
 
-/// How far p is along the way from a to b, times the length of that.
+/// How far p is along the segment from a to b, times the segment's length.
 inline double alongWay(Point a, Point b, Point p) {
   return (p.x - a.x) * (b.x - a.x) + (p.y - a.y) * (b.y - a.y);
 }
 
-/// What ascends along the way from a to b, of points on it that were rounded: their own coordinates, which
-/// tell them apart as far as doubles do. From b to a it descends.
+/// A key that ascends along the segment from a to b, for rounded points on it. It consists of their own
+/// coordinates, which distinguish them as far as doubles can. From b to a it descends.
 inline std::array<double, 2> placeAlong(Point a, Point b, Point p) {
   const double x = b.x < a.x ? -p.x : p.x, y = b.y < a.y ? -p.y : p.y;
   return std::abs(b.x - a.x) >= std::abs(b.y - a.y) ? std::array{x, y} : std::array{y, x};
 }
 
-/// Whether a point on or beside the line through a and b lies between them, and is neither.
+/// Whether a point on or near the line through a and b lies strictly between them.
 inline bool isBetween(Point a, Point b, Point p) {
   return p != a && p != b && alongWay(a, b, p) > 0 && alongWay(b, a, p) > 0;
 }
 
-/// Whether p is so near to the line through a and b that rounding of these may have changed on which side of
-/// it p lies.
+/// Whether p is so close to the line through a and b that rounding of a and b may have changed the side on
+/// which it lies.
 bool isNearForRounding(Point a, Point b, Point p);
 
 /// Closed rings, outer ones counter-clockwise and holes clockwise, so that the inside lies to the left of
@@ -50,32 +50,32 @@ struct Rings {
   [[nodiscard]] bool isOuter(std::uint32_t r) const { return outer[r] == r; }
 };
 
-/// Refuses what is not empty and no valid polygon or polygons: offsets that do not fit, numbers that are not
-/// finite, rings of fewer than 3 points or without area, rings that cross themselves or each other, polygons
-/// that overlap or share a side, more than 2^31 points, a box with an area beyond the range of double, a
-/// domain that is periodic besides. Error (input): names the ring, or the place in the outline's own
+/// Accepts only an empty outline or valid polygons. Refuses: inconsistent offsets; numbers that are not
+/// finite; rings of fewer than 3 points or without area; rings that cross themselves or each other; polygons
+/// that overlap or share a side; more than 2^31 points; a box with an area beyond the range of double; and a
+/// domain that is also periodic. Error (input): names the ring, or the place in the outline's own
 /// coordinates.
 Result<void> checkOutline(const Outline& outline, Periodic periodic);
 
 /// The rings of a valid outline, scaled by 2^exponent. Error (input): they are too far from the domain, which
-/// that scales to about 1.
+/// this scale makes about 1 in size.
 Result<Rings> ringsOf(const Outline& outline, int exponent);
 
-/// Of a ring without equal neighbors that does not cross itself.
+/// For a ring without equal neighboring points that does not cross itself.
 bool isCounterClockwise(std::span<const Point> ring);
 
-/// What a ring winds around, with a sign; without the rounding of coordinates that are far from 0.
+/// The signed area that a ring winds around; without rounding errors from coordinates far from 0.
 double areaOfRing(std::span<const Point> ring);
 
-/// Whether a ring of at least 3 points lies in another, which it does not cross; it may touch it in points.
+/// Whether a ring of at least 3 points lies in another, which it does not cross; they may touch in points.
 bool liesIn(std::span<const Point> outer, std::span<const Point> ring);
 
 /// The area of the intersection of the rings' inside and the box.
 double areaInside(const Rings& rings, const Box& box);
 
-/// Predicates between a ring and other points, exact: all rings are perturbed by (e, e^2) for an
-/// infinitesimal e > 0 (Edelsbrunner and Mucke 1990, "Simulation of simplicity"). So no vertex of a ring lies
-/// on a line through other points, no other point lies on an edge of a ring, and 0 is never returned.
+/// Exact predicates between a ring and other points: all rings are perturbed by (e, e^2) for an infinitesimal
+/// e > 0 (Edelsbrunner and Mucke 1990, "Simulation of simplicity"). So no vertex of a ring lies on a line
+/// through other points, no other point lies on an edge of a ring, and no predicate returns 0.
 ///
 /// p is a vertex of a ring; a and b are not, and differ. 1: p lies to the left of the line from a to b; -1:
 /// to the right.

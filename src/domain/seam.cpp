@@ -13,10 +13,10 @@
 namespace vorpipe::core {
 namespace {
 
-/// Of the distance of a corner from its site: what copies of it may differ by because of rounding, and
-/// because of ties, a few of which may stand in a row.
+/// Relative to the distance of a corner from its site: how much its copies may differ by rounding, and by
+/// ties, a few of which may follow each other in a row.
 constexpr double rounding = 0x1p-50, ties = 1e-4;
-/// Of the largest coordinate.
+/// Relative to the largest coordinate.
 constexpr double place_rounding = 0x1p-50;
 constexpr std::uint32_t none = ~std::uint32_t{0};
 
@@ -30,11 +30,11 @@ struct SeamEdge {
   std::uint32_t site, other;
   Shift shift;
   std::uint64_t edge;
-  std::uint32_t copy = none;  ///< the same edge as the other cell has it
+  std::uint32_t copy = none;  ///< the same edge in the other cell
   [[nodiscard]] auto key() const { return std::tuple(site, other, shift); }
 };
 
-/// Corners that are one, up to whole periods (union-find with offsets); corners at equal positions are one.
+/// Sets of equal corners, up to whole periods (union-find with offsets); corners at equal positions are one.
 class Corners {
  public:
   std::uint32_t at(Point p) {
@@ -146,8 +146,8 @@ class SeamRepair {
     }
   }
 
-  /// How far away what determines the ends of an edge may be. With weights, corners may be nearer to a site
-  /// than its neighbors are, by which ties are measured.
+  /// How far away the sites that determine the ends of an edge may be. With weights, corners may be nearer to
+  /// a site than its neighbors are, and neighbors set the length of ties.
   [[nodiscard]] double reachOf(const SeamEdge& edge) const {
     const Point site = siteAt(edge.site);
     const double of_ends = std::max(apart(begin(edge), site), apart(end(edge), site));
@@ -156,7 +156,7 @@ class SeamRepair {
     return std::max(of_ends, tieScale(of_sites, shorterSide(placed_.domain())));
   }
 
-  /// Compares an edge with its copy; false where they differ by more than ties explain, true otherwise.
+  /// Compares an edge with its copy; returns false if they differ by more than ties explain.
   bool look(const SeamEdge& edge) {
     const double reach = reachOf(edge);
     double off = 0;
@@ -198,7 +198,7 @@ class SeamRepair {
     return moves_[root.corner] != 0 ? std::optional(root) : std::nullopt;
   }
 
-  /// Writes all cells again, those with a corner that moves without the edges whose ends become one.
+  /// Rewrites all cells; in those with a corner that moves it removes edges whose ends become one.
   void moveCorners() {
     Diagram& d = diagram_;
     std::uint64_t out = 0, begin = 0;
@@ -230,7 +230,7 @@ class SeamRepair {
     d.edge_lengths.resize(out);
   }
 
-  /// Area and moments do not depend on ties, but the lengths of the other edges do.
+  /// Measures edges anew: area and moments do not depend on ties, but the lengths of the other edges do.
   void measureEdges(std::uint32_t i, std::uint64_t first, std::uint64_t end) {
     Diagram& d = diagram_;
     d.perimeter[i] = 0;

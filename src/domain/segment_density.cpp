@@ -6,11 +6,11 @@
 namespace vorpipe::core {
 namespace {
 
-/// How near to a line between pixels a segment along it lies, as a part of a pixel: what rounding may be
-/// where there are a thousand pixels, and more.
+/// The tolerance, in pixels, for a segment to lie on a line between pixels: the rounding error with a
+/// thousand pixels or more.
 constexpr double on_line = 1e-10;
 
-/// A segment along one axis: the pixels that it goes through, one after the other.
+/// A segment along one axis: the pixels that it crosses, one after the other.
 class AxisWalk {
  public:
   AxisWalk(const PixelAxis& axis, double from, double to)
@@ -25,9 +25,9 @@ class AxisWalk {
   }
 
   [[nodiscard]] std::int64_t pixel() const { return pixel_; }
-  /// The other pixel where the segment runs along a line, as a difference; else 0.
+  /// Offset of the other pixel if the segment runs along a line; else 0.
   [[nodiscard]] int beside() const { return beside_; }
-  /// The part of the way after which the pixel is left.
+  /// The fraction of the segment at which it leaves the pixel.
   [[nodiscard]] double end() const {
     if (pixel_ == last_) return std::numeric_limits<double>::infinity();
     return (static_cast<double>(pixel_ < last_ ? pixel_ + 1 : pixel_) - from_) / way_;

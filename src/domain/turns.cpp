@@ -15,7 +15,7 @@ double turnsTo(double longitude, double other) {
   return whole_turn * std::round((other - longitude) / whole_turn);
 }
 
-/// Edges that lead from one side of the meridian opposite to the center to the other.
+/// Number of edges that cross the meridian opposite to the center.
 std::size_t jumpsOf(std::span<const Point> ring) {
   std::size_t jumps = 0;
   for (std::size_t k = 0; k < ring.size(); ++k) {
@@ -43,7 +43,7 @@ void turn(std::span<Point> points, double degrees) {
 
 void joinTurns(double site, std::size_t cell, Diagram& diagram) {
   const CellRings rings = diagram.cell(cell).rings();
-  std::optional<double> place;  ///< where the cell is, once that is known
+  std::optional<double> place;  ///< longitude of the cell, once known
   bool joined = false;
   for (std::size_t r = 0; r < rings.size(); ++r) {
     const std::size_t jumps = jumpsOf(rings[r]);

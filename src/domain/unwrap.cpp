@@ -47,7 +47,7 @@ class CellUnwrapper {
     if (renamed) beginAtLowest(begin, end);
   }
 
-  /// As in any diagram, a list begins at its lowest neighbor.
+  /// Rotates a list so that it begins at its lowest neighbor, as in any diagram.
   void beginAtLowest(std::uint64_t begin, std::uint64_t end) {
     Diagram& d = diagram_;
     auto lowest = begin;
@@ -73,7 +73,7 @@ class CellUnwrapper {
     const auto moved = [&, x = x, y = y](Point p) {
       return unscale_(Point{placed_.axis[0].number(p.x, x), placed_.axis[1].number(p.y, y)});
     };
-    // The caller's site may stand elsewhere; the run's own is exact.
+    // The caller's site may be elsewhere; the run's own is exact.
     const Sites& sites = imaged_.sites;
     d.centroid[i] = moved(d.status[i] == Status::ok ? d.centroid[i] : Point{sites.x[i], sites.y[i]});
     d.area[i] = unscale_(d.area[i], 2);
@@ -110,7 +110,7 @@ void keepSites(const ImagedSites& imaged, Diagram& diagram) {
   report.ok = static_cast<std::uint64_t>(std::ranges::count(diagram.status, Status::ok));
   report.empty = static_cast<std::uint64_t>(std::ranges::count(diagram.status, Status::empty));
   report.duplicate = count - report.ok - report.empty;
-  // Either none is hidden, or weights differ and all that are empty are.
+  // Either no site is hidden, or weights differ and all empty sites are hidden.
   report.hidden = std::min(report.hidden, report.empty);
 }
 

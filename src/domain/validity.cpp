@@ -17,7 +17,7 @@ namespace {
 
 constexpr std::size_t most_points = std::numeric_limits<std::int32_t>::max();
 
-/// A number with the digits that it needs, to find the place in a file.
+/// The position with as many digits as needed to find it in a file.
 std::string placeOf(const Geos& geos, const GEOSGeometry* location,
                     const std::function<Point(Point)>& place) {
   Point at{0, 0};
@@ -58,13 +58,14 @@ Result<void> checkRing(const Outline& outline, std::size_t ring) {
   return {};
 }
 
-/// Neither GEOS nor the areas of cells could be trusted.
+/// Refuses sizes for which neither GEOS nor the areas of cells are reliable.
 Result<void> checkSize(const Outline& outline) {
   const Box box = boxOf(outline.points);
   const double width = box.xmax - box.xmin, height = box.ymax - box.ymin;
   if (!std::isnormal(width * height))
     return refuseOutline(fmt::format("its box of {} x {} has no area that a double can hold", width, height));
-  // Where it crosses cells the corners are rounded; of fewer steps of a coordinate nothing would be left.
+  // Corners are rounded where the outline crosses cells; with fewer steps of a coordinate nothing would
+  // remain.
   constexpr double least = 256 * std::numeric_limits<double>::epsilon();
   const double x = std::max(std::abs(box.xmin), std::abs(box.xmax));
   const double y = std::max(std::abs(box.ymin), std::abs(box.ymax));

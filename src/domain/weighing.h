@@ -1,4 +1,4 @@
-/// Moments of a cell's mass, for those of its area.
+/// Replaces moments of a cell's area by moments of its mass.
 #pragma once
 
 #include <span>
@@ -7,21 +7,21 @@
 
 namespace vorpipe::core {
 
-/// Where the moments of cells' masses are written, by site. Those of areas stand there before.
+/// Destination of the moments of cells' masses, by site. It contains those of areas before.
 struct MassRecords {
   std::span<const double> area;
   std::span<double> mass;
-  std::span<Point> center;     ///< the centroid, where there is no mass
-  std::span<double> spread{};  ///< integral of the squared distance to the center; empty: not wanted
+  std::span<Point> center;     ///< the centroid if there is no mass
+  std::span<double> spread{};  ///< integral of the squared distance to the center; empty: not requested
 };
 
-/// Gives one cell after the other the moments of its mass. For one thread.
+/// Computes the moments of mass of cells, one by one. For one thread.
 class Weighing {
  public:
   Weighing(const DensityPixels& pixels, const MassRecords& records) : records_(records), scale_(pixels) {}
 
-  /// The cell of site i, whose vertices are seen from `origin`; eachEdge(take) calls take(a, b) for each of
-  /// its edges.
+  /// Weighs the cell of site i, whose vertices are relative to `origin`; each_edge(take) calls take(a, b) for
+  /// each of its edges.
   template <class EachEdge>
   void weigh(std::size_t i, Point origin, std::span<const Point> vertices, const EachEdge& each_edge) {
     if (const auto value = scale_.begin(origin, boxOf(vertices))) {
@@ -37,12 +37,12 @@ class Weighing {
     records_.center[i] = {origin.x + weighed.center.x, origin.y + weighed.center.y};
   }
 
-  /// The same, of one ring.
+  /// The same, for one ring.
   void weigh(std::size_t i, Point origin, std::span<const Point> ring) {
     weigh(i, origin, ring, [&](const auto& take) { eachSide(ring, take); });
   }
 
-  /// The cell of site i has no area.
+  /// For a cell without area.
   void weighNothing(std::size_t i) {
     records_.mass[i] = 0;
     if (!records_.spread.empty()) records_.spread[i] = 0;

@@ -17,7 +17,7 @@ inline Point relativeTo(Point origin, const AnchoredPoint& p) {
   return {(p.base.x - origin.x) + p.rest.x, (p.base.y - origin.y) + p.rest.y};
 }
 
-/// The vector from a to b. wayBetween(b, a) is its negative, to the bit.
+/// The vector from a to b. wayBetween(b, a) is its exact negative.
 inline Point wayBetween(const AnchoredPoint& a, const AnchoredPoint& b) {
   return {(b.base.x - a.base.x) + (b.rest.x - a.rest.x), (b.base.y - a.base.y) + (b.rest.y - a.rest.y)};
 }

@@ -10,7 +10,7 @@ namespace {
 
 constexpr auto air = static_cast<std::int64_t>(Wall::outline);
 
-/// Under which a place sees a line from a to b, which runs counter-clockwise around it.
+/// The angle that a line from a to b, counter-clockwise around `from`, subtends there.
 double angleOf(Point a, Point b, Point from) {
   const double ax = a.x - from.x, ay = a.y - from.y, bx = b.x - from.x, by = b.y - from.y;
   return std::atan2(ax * by - ay * bx, ax * bx + ay * by);

@@ -15,7 +15,7 @@ class CenterBatch {
   [[nodiscard]] std::size_t size() const { return size_; }
   [[nodiscard]] bool isFull() const { return size_ == room; }
   void clear() { size_ = 0; }
-  /// `corner` is the caller's number for the triple; it comes back from corner(k).
+  /// `corner` is the caller's number for the triple; corner(k) returns it.
   void add(std::size_t corner, const Triple& triple);
 
   /// Finds all centers.

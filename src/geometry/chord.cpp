@@ -13,7 +13,7 @@ Point onLine(const EdgeLine& line, double along) {
           line.distance * line.normal.y + along * line.normal.x};
 }
 
-/// How far along the line from the point that is nearest to the center.
+/// Position along the line, from its point nearest to the center.
 double alongLine(const EdgeLine& line, Point p) { return line.normal.x * p.y - line.normal.y * p.x; }
 
 }  // namespace
@@ -33,7 +33,7 @@ Chord chordOf(const EdgeLine& line, const EdgeEnd& begin, const EdgeEnd& end, do
   const double first = alongLine(line, begin.place), last = alongLine(line, end.place);
   const double half = halfChord(line, squared_radius);
   if (!begin.inside && !end.inside && !(half > 0 && first < 0 && last > 0)) return {};
-  // Rounding may place an end on the wrong side of where the edge crosses the circle.
+  // Rounding may place an end on the wrong side of the crossing of edge and circle.
   const double from = begin.inside ? first : std::min(-half, end.inside ? last : half);
   const double to = end.inside ? last : std::max(half, from);
   return {begin.inside ? begin.place : onLine(line, from),

@@ -1,4 +1,4 @@
-/// Where an edge of a polygon lies in a disc.
+/// The part of a polygon's edge that lies in a disc.
 #pragma once
 
 #include <span>
@@ -7,7 +7,7 @@
 
 namespace vorpipe::core {
 
-/// The line that a polygon's edge lies on, relative to a disc's center: where p . normal = distance. The
+/// The line that a polygon's edge lies on, relative to a disc's center: all p with p . normal = distance. The
 /// normal is a unit vector that points out of the polygon.
 struct EdgeLine {
   Point normal;
@@ -36,11 +36,11 @@ inline EdgeEnd endAt(Point place, double squared_radius) {
   return {place, place.x * place.x + place.y * place.y <= squared_radius};
 }
 
-/// Half the part of the whole line that lies in the disc; 0 if the line passes by.
+/// Half the length of the infinite line inside the disc; 0 if the line misses it.
 double halfChord(const EdgeLine& line, double squared_radius);
 
-/// Of the edge from `begin` to `end`, which lies on `line`. Errors are some 1e-16 of the disc's radius,
-/// however far the ends are.
+/// Returns the chord of the edge from `begin` to `end`, which lies on `line`. Errors are some 1e-16 of the
+/// disc's radius, however far the ends are.
 Chord chordOf(const EdgeLine& line, const EdgeEnd& begin, const EdgeEnd& end, double squared_radius);
 
 }  // namespace vorpipe::core

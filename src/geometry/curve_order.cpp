@@ -14,14 +14,14 @@ namespace {
 
 constexpr std::size_t curve_order_grain = std::size_t{1} << 15;
 
-/// A place on Hilbert's curve, and the site there.
+/// A position on Hilbert's curve, and the site there.
 struct OnCurve {
   std::uint64_t key;
   std::uint32_t site;
 };
 
-/// Hilbert's curve through a square of 2^32 by 2^32, four levels at a time: by how the curve runs through a
-/// square and four digits of column and row, its next eight digits, and how it runs on.
+/// Hilbert's curve through a square of 2^32 by 2^32, four levels at a time: a table maps the curve's
+/// direction in a square, and four digits of column and row, to its next eight digits and next direction.
 class Curve {
  public:
   Curve() {
@@ -92,7 +92,7 @@ void place(const SiteSet& sites, const Box& box, std::span<OnCurve> placed) {
   }
 }
 
-/// Sorts by key and site; sites that share a key along a curve of their own.
+/// Sorts by key and site; sorts sites that share a key along a curve of their own.
 void sortFew(const SiteSet& sites, std::span<OnCurve> placed) {
   std::ranges::sort(placed, [](const OnCurve& a, const OnCurve& b) {
     return a.key != b.key ? a.key < b.key : a.site < b.site;

@@ -1,4 +1,4 @@
-/// Sites along a curve that fills the plane.
+/// Orders sites along a plane-filling curve.
 #pragma once
 
 #include <cstdint>
@@ -8,10 +8,10 @@
 
 namespace vorpipe::core {
 
-/// Sorts sites of a set, given in any order, along Hilbert's curve over their bounding box, so that those
-/// near each other in the order are near each other in the plane, however they are spread. Sites that the
-/// curve does not tell apart, 2^-32 of the box, are sorted along a curve of their own. The order depends on
-/// nothing but the sites.
+/// Sorts sites of a set, given in any order, along Hilbert's curve over their bounding box, so that sites
+/// near each other in the order are near each other in the plane, however they are spread. Sites within 2^-32
+/// of the box, which the curve cannot distinguish, are sorted along a curve of their own. The order depends
+/// only on the sites.
 void sortAlongCurve(const SiteSet& sites, std::vector<std::uint32_t>& which, int threads);
 
 }  // namespace vorpipe::core

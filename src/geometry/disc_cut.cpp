@@ -16,19 +16,19 @@ constexpr double pi = std::numbers::pi;
 double cross(Point a, Point b) { return a.x * b.y - a.y * b.x; }
 double dot(Point a, Point b) { return a.x * b.x + a.y * b.y; }
 
-/// By which a polygon turns from an edge to the next: 0 to pi, as it is convex.
+/// The angle by which a polygon turns from an edge to the next: 0 to pi, because it is convex.
 double turnBetween(const EdgeLine& edge, const EdgeLine& next) {
   const double angle = std::atan2(cross(edge.normal, next.normal), dot(edge.normal, next.normal));
   return angle < -pi / 2 ? pi : std::max(angle, 0.0);
 }
 
-/// Half of what the line takes from the whole circle, as an angle; more than half a pi if the center is on
-/// the line's outer side.
+/// Half the angle that the line cuts off the whole circle; more than pi / 2 if the center is on the line's
+/// outer side.
 double halfTaken(const EdgeLine& line, double squared_radius) {
   return std::atan2(halfChord(line, squared_radius), line.distance);
 }
 
-/// Half of what it leaves: pi less that, but with all digits of small angles.
+/// Half the angle that it leaves: pi minus that, but with all digits of small angles.
 double halfLeft(const EdgeLine& line, double squared_radius) {
   return std::atan2(halfChord(line, squared_radius), -line.distance);
 }
@@ -40,7 +40,7 @@ double arcBetween(std::span<const EdgeLine> lines, std::size_t from, std::size_t
   const double angle = std::atan2(cross(begin, end), dot(begin, end));
   constexpr double surely_not_a_whole_turn = 0.1;
   if (angle > surely_not_a_whole_turn) return angle;
-  // Nothing and a whole turn, but for rounding, look the same; the edges between tell which it is.
+  // Except for rounding, nothing and a whole turn look the same; the edges between decide which it is.
   double rough = 0;
   for (auto e = from; e != to;) {
     const auto next = e + 1 < lines.size() ? e + 1 : 0;
@@ -152,7 +152,7 @@ void DiscCut::findFarArcs(double radius) {
   });
 }
 
-/// Adds the polygon whose corners are the ends of chords, in places relative to one of them.
+/// Adds the polygon whose corners are the ends of chords, with positions relative to one of them.
 void DiscCut::addPolygon() {
   polygon_.clear();
   Point origin{0, 0};
@@ -171,7 +171,7 @@ void DiscCut::addPolygon() {
     parts_.push_back({m.area, {origin.x + m.centroid.x, origin.y + m.centroid.y}, m.second_moments});
 }
 
-/// Adds what lies between an arc and its chord.
+/// Adds the segment between an arc and its chord.
 void DiscCut::addSegment(const Arc& arc, double radius) {
   const double half_angle = arc.angle / 2;
   const SegmentMeasures m = measureSegment(radius, half_angle);

@@ -1,4 +1,4 @@
-/// What a disc has of a convex polygon.
+/// The intersection of a disc with a convex polygon.
 #pragma once
 
 #include <array>
@@ -13,40 +13,40 @@ namespace vorpipe::core {
 /// A part of the disc's circle inside of the polygon, counter-clockwise.
 struct Arc {
   Point from, to;
-  double angle;         ///< under which the center sees it, up to a whole turn
-  std::uint32_t after;  ///< the edge whose chord ends where it begins; no_edge for a whole circle
+  double angle;         ///< that it subtends at the center, up to a whole turn
+  std::uint32_t after;  ///< the edge whose chord ends where the arc begins; no_edge for a whole circle
 
   static constexpr std::uint32_t no_edge = ~std::uint32_t{0};
 };
 
 enum class DiscShape : std::uint8_t {
   nothing,
-  polygon,  ///< all of it
-  part,     ///< of both, or the whole disc
+  polygon,  ///< the whole polygon
+  part,     ///< part of both, or the whole disc
 };
 
-/// The intersection, measured by closed formulas; used again for one polygon after the other. Corners run
-/// counter-clockwise, from edge to edge: edge k from corner k to the next. Corners may coincide.
+/// Measures the intersection by closed formulas; reusable for any number of polygons. Corners run
+/// counter-clockwise; edge k runs from corner k to the next. Corners may coincide.
 class DiscCut {
  public:
-  /// `corners` are relative to the disc's center, and lines[k] is that of edge k. For discs of any size; but
-  /// the larger ones are beside the polygon, the more digits are lost: isFar() says when to take the other
-  /// function.
+  /// `corners` are relative to the disc's center, and lines[k] is the line of edge k. Accepts discs of any
+  /// size, but loses more digits the larger the disc is relative to the polygon. If isFar() holds, use
+  /// cutFar() instead.
   DiscShape cut(std::span<const Point> corners, std::span<const EdgeLine> lines, double squared_radius);
 
-  /// Of a disc for which isFar(). `corners`, and the center, are relative to one of the corners.
+  /// Cuts with a disc for which isFar() holds. `corners` and `center` are relative to one of the corners.
   DiscShape cutFar(std::span<const Point> corners, Point center, double squared_radius);
 
   static bool isFar(std::span<const Point> corners, double squared_radius);
 
-  // Of a part. Places are relative to what the corners were relative to.
+  // For DiscShape::part. Positions are relative to the origin of the corners.
   [[nodiscard]] double area() const { return area_; }
   [[nodiscard]] Point centroid() const { return centroid_; }
   /// Integrals of xx, xy, yy about the centroid.
   [[nodiscard]] std::array<double, 3> secondMoments() const { return second_; }
   /// The integral of the squared distance to the centroid.
   [[nodiscard]] double spread() const { return second_[0] + second_[2]; }
-  /// Of all arcs together.
+  /// The sum over all arcs.
   [[nodiscard]] double arcAngle() const;
   [[nodiscard]] std::span<const Chord> chords() const { return chords_; }  ///< by edge
   [[nodiscard]] std::span<const Arc> arcs() const { return arcs_; }        ///< counter-clockwise

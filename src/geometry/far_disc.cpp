@@ -12,8 +12,8 @@ DoubleDouble dot(Point a, Point b) {
 
 Point between(Point a, Point b, double part) { return {a.x + part * (b.x - a.x), a.y + part * (b.y - a.y)}; }
 
-/// For a chord that begins inside: the part of the way, at least 0 and at most 1, after which it leaves the
-/// disc. `along` is alongFromCenter() where it begins, and `squared` the squared length of the way.
+/// For a chord that begins inside: the fraction of the way, 0 to 1, after which it leaves the disc. `along`
+/// is alongFromCenter() at its beginning, and `squared` the squared length of the way.
 double partUntilOutside(double inwards, double along, double squared) {
   const double root = std::sqrt(std::max(along * along + squared * inwards, 0.0));
   const double part = along > 0 ? inwards / (along + root) : (root - along) / squared;

@@ -6,8 +6,8 @@
 
 namespace vorpipe::core {
 
-/// Its circle is found to some 1e-16 of the polygon, not of the disc: what lies between the polygon's corners
-/// and the circle is a difference of two large squares, and computed in double-double.
+/// Locates the circle to some 1e-16 of the polygon, not of the disc: the gap between the polygon's corners
+/// and the circle is a difference of two large squares, computed in double-double.
 class FarDisc {
  public:
   /// `center` is relative to an origin near the polygon, as the polygon's corners are.

@@ -14,7 +14,7 @@ std::size_t before(std::size_t k) { return k == 0 ? 2 : k - 1; }
 
 bool isGhost(const MeshTriangle& t) { return (t.corner[0] | t.corner[1] | t.corner[2]) < 0; }
 
-/// Of the three numbers, which is this one; it is one of them.
+/// The index of `number`, which is one of the three.
 std::uint32_t placeOf(const std::array<std::int32_t, 3>& numbers, std::int32_t number) {
   return numbers[0] == number ? 0 : numbers[1] == number ? 1 : 2;
 }
@@ -46,8 +46,8 @@ bool Insertion::mayLookAt(std::int32_t t) const {
   return mayChange(t) || mesh_.region[static_cast<std::size_t>(t)] == of_several;
 }
 
-/// Whether point i conflicts with a triangle: whether it lies inside its circumcircle. For a ghost triangle
-/// that circle is the half-plane outside its hull edge, and the edge itself, unless weights hide i there.
+/// Whether point i conflicts with a triangle, i.e. lies inside its circumcircle. For a ghost triangle that
+/// circle is the half-plane outside its hull edge, and the edge itself, unless weights hide i there.
 template <bool weighted>
 [[gnu::always_inline]] inline bool Insertion::conflictsAny(const MeshTriangle& t, std::int32_t i, Point p) {
   if (isGhost(t)) [[unlikely]] {
@@ -81,8 +81,9 @@ bool Insertion::conflictsOnLine(std::int32_t a, std::int32_t b, std::int32_t i) 
   return inside != 0 ? inside > 0 : !between;
 }
 
-/// A triangle where a walk to i has ended before, or near an inserted point that precedes i closely in the
-/// order of points; else the newest triangle. What took a triangle's slot since then is near as well.
+/// Returns a triangle where an earlier walk to i ended, or one near an inserted point that closely precedes i
+/// in the order of points; else the newest triangle. If another triangle has taken its slot since, that one
+/// is near as well.
 std::int32_t Insertion::nearby(std::int32_t i) {
   constexpr std::int32_t most_looked_at = 64;
   const auto first = std::max(0, i - most_looked_at);
@@ -142,8 +143,8 @@ bool Insertion::insert(std::int32_t point, std::int32_t room) {
   return true;
 }
 
-/// Finds the cavity, the triangles that conflict with point i, and its rim, counter-clockwise. False where it
-/// reaches a triangle of another region.
+/// Finds the cavity, the triangles that conflict with point i, and its rim, counter-clockwise. Returns false
+/// if it reaches a triangle of another region.
 template <bool weighted>
 bool Insertion::findCavity(std::int32_t i, std::int32_t first) {
   const Point p = at(i);

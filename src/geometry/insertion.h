@@ -1,4 +1,4 @@
-/// Points inserted into a triangulation, anywhere or in a region that one thread has to itself.
+/// Inserts points into a triangulation, anywhere or in a region that one thread has to itself.
 #pragma once
 
 #include <cstdint>
@@ -9,7 +9,7 @@
 
 namespace vorpipe::core {
 
-/// Regions are numbered from 0; a triangle belongs to a region if all of its corners but the ghost do.
+/// Regions are numbered from 0; a triangle belongs to a region if all of its corners except the ghost do.
 using Region = std::uint8_t;
 inline constexpr Region of_several = 254;  ///< of a triangle: its corners are in different regions
 inline constexpr Region everywhere = 255;  ///< of an Insertion: it may change all triangles
@@ -22,30 +22,30 @@ struct GrowingMesh {
   BigVector<Region> region_of_point;       ///< for insertions into regions
   BigVector<Region> region;                ///< by triangle, for the same
   std::vector<std::uint8_t> is_in_cavity;  ///< by triangle, with weights; see Insertion
-  std::vector<std::int32_t> near;  ///< by point: a triangle that was beside it when it came in, or none
+  std::vector<std::int32_t> near;          ///< by point: a triangle beside it at its insertion, or none
 
   static constexpr std::int32_t none = -1;
   static bool isUnused(const MeshTriangle& t) { return (t.corner[0] & t.corner[1] & t.corner[2]) < 0; }
 };
 
 /// Inserts points. Several threads may work on one mesh, each in a region of its own: an insertion reads and
-/// writes triangles of its region, and only reads those of several, which are constant meanwhile.
+/// writes triangles of its region, and only reads those of several regions, which are constant meanwhile.
 ///
-/// The triangles that a point replaces, its cavity, have no corner inside of it, so that those across edges
-/// form a tree: a walk over that needs no marks, and meets the edges of the cavity's rim in their order. With
-/// weights there may be such corners, which become hidden; then triangles are marked, and the walk follows a
-/// tree that spans them.
+/// A point replaces the triangles of its cavity. The cavity has no corner in its interior, so its adjacency
+/// across edges is a tree. A walk over this tree needs no marks and meets the edges of the cavity's rim in
+/// their order. With weights there may be interior corners, which become hidden. Then triangles are marked,
+/// and the walk follows a spanning tree.
 class Insertion {
  public:
   /// `start` is a triangle where the first walk begins, or none.
   Insertion(GrowingMesh& mesh, Region region, std::int32_t start);
 
   /// Inserts a point. Up to two new triangles take the slots `room` and `room` + 1; a slot that is not needed
-  /// becomes unused. False, and the mesh is unchanged, where the cavity leaves the region.
+  /// becomes unused. Returns false and leaves the mesh unchanged if the cavity leaves the region.
   bool insert(std::int32_t point, std::int32_t room);
 
-  /// A triangle with point i in it; outside the hull, one that conflicts with it. `none` where the walk
-  /// leaves the region.
+  /// Returns a triangle that contains point i; outside the hull, one that conflicts with it. Returns `none`
+  /// if the walk leaves the region.
   std::int32_t locate(std::int32_t i);
 
   /// Points that were found hidden, or were hidden by others.
@@ -57,7 +57,7 @@ class Insertion {
     std::int32_t from, to, outer;
     std::uint32_t back;
   };
-  /// A triangle of the cavity, and which of its edges are still to be looked at.
+  /// A triangle of the cavity, and which of its edges are still to be visited.
   struct Step {
     std::int32_t triangle;
     std::uint8_t edge, left;
@@ -89,7 +89,7 @@ class Insertion {
   std::vector<std::int32_t> cavity_;
   std::vector<RimEdge> rim_;
   std::vector<Step> steps_;
-  std::vector<std::int32_t> corners_;  ///< of the cavity, where one becomes hidden
+  std::vector<std::int32_t> corners_;  ///< of the cavity, if one becomes hidden
   std::int32_t last_;                  ///< the newest triangle, or where a walk begins; or none
 };
 

@@ -5,13 +5,13 @@
 namespace vorpipe::core {
 namespace {
 
-/// To first order, with u = 2^-53 and relative to the sum of the terms' magnitudes: what leads from a to the
-/// center, times twice the area, is off by 8 u (wall_predicates.cpp), times a difference by 10 u; the side on
-/// which a lies by 4 u, times twice the area by 9 u; the sum of both by 12 u. At a wall there are fewer
-/// steps. 4e-15 is 36 u.
+/// To first order, with u = 2^-53 and relative to the sum of the terms' magnitudes: the vector from a to the
+/// center, times twice the area, is off by 8 u (wall_predicates.cpp); times a difference, by 10 u. The side
+/// on which a lies is off by 4 u; times twice the area, by 9 u. The sum of both is off by 12 u. At a wall
+/// there are fewer steps. 4e-15 is 36 u.
 constexpr double on_line_error = 4e-15;
 
-/// Times twice the area of a, b and c, of which that has the sign, too.
+/// The side, times the sign of the area of a, b and c.
 int exactCenterSide(Point p, Point q, const WeightedPoint& a, const WeightedPoint& b,
                     const WeightedPoint& c) {
   const auto bx = difference(b.x, a.x), by = difference(b.y, a.y);
@@ -25,7 +25,7 @@ int exactCenterSide(Point p, Point q, const WeightedPoint& a, const WeightedPoin
   return (way + at_a * (twice_area + twice_area)).sign();
 }
 
-/// Times the sign of b.y - a.y.
+/// The side, times the sign of b.y - a.y.
 int exactSideAtWall(Point p, Point q, const WeightedPoint& a, const WeightedPoint& b, double wall) {
   const auto bx = difference(b.x, a.x), by = difference(b.y, a.y);
   const auto to_wall = difference(wall, a.x);
@@ -38,8 +38,8 @@ int exactSideAtWall(Point p, Point q, const WeightedPoint& a, const WeightedPoin
 
 }  // namespace
 
-/// The center is a + (cy bb - by cc, bx cc - cx bb) / (2 b x c), with b and c seen from a and bb and cc their
-/// squares, to which is added by how much a is heavier.
+/// The center is a + (cy bb - by cc, bx cc - cx bb) / (2 b x c), with b and c relative to a. bb and cc are
+/// their squares plus the amount by which a is heavier.
 std::optional<int> centerSide(Point p, Point q, const WeightedPoint& a, const WeightedPoint& b,
                               const WeightedPoint& c) {
   const int turn = orientation(a, b, c);
@@ -59,7 +59,7 @@ std::optional<int> centerSide(Point p, Point q, const WeightedPoint& a, const We
   return turn * exactCenterSide(p, q, a, b, c);
 }
 
-/// There 2 bx (wall - ax) + 2 by y = bb, with b seen from a and y from a.y.
+/// At this point 2 bx (wall - ax) + 2 by y = bb, with b relative to a and y to a.y.
 std::optional<int> sideAtWall(Point p, Point q, const WeightedPoint& a, const WeightedPoint& b, double wall) {
   if (a.y == b.y) return {};
   const int turn = a.y < b.y ? 1 : -1;

@@ -1,4 +1,4 @@
-/// Triangles that know their neighbors.
+/// Triangles with links to their neighbors.
 #pragma once
 
 #include <array>
@@ -22,7 +22,7 @@ inline constexpr std::int32_t ghost = -1;
 struct Mesh {
   BigVector<MeshTriangle> triangles;
   std::vector<std::int32_t>
-      at;  ///< by point: an incident triangle; for a hidden point, the triangle that it is in
+      at;  ///< by point: an incident triangle; for a hidden point, the triangle that contains it
 };
 
 }  // namespace vorpipe::core

@@ -20,7 +20,7 @@ bool isSliver(double area, double perimeter) {
 }
 
 /// The centroid of a nearly convex polygon as a weighted mean of the centroids of triangles: weights are not
-/// negative, so that rounding cannot move it out of the polygon.
+/// negative, so rounding cannot move it out of the polygon.
 Point centroidOfSliver(std::span<const Point> vertices) {
   const Point from = vertices[0];
   Point sum{0, 0};

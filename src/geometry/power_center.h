@@ -1,4 +1,4 @@
-/// Where three cells meet, the fast way; vertex_position.cpp has the slow one.
+/// Computes where three cells meet, the fast way; vertex_position.cpp does it the slow way.
 #pragma once
 
 namespace vorpipe::core {
@@ -14,10 +14,10 @@ inline constexpr double most_terms = 16;
 /// The power center (radical center) of three points i, p, j: the point whose powers to all three are equal.
 /// Without weights that is their circumcenter, and iw, pw and jw are not read.
 ///
-/// Differences are taken to the point opposite the longest side: of two points side by side and one far
-/// away, they stay exact. Unsure where that point is not unique, or where cancellation, underflow or a far
-/// center costs precision. The result is the same to the bit for any order of the points: swapping b and c
-/// changes the signs of the numerators and of the denominator.
+/// Differences are taken to the point opposite the longest side: of two points side by side and one far away,
+/// they stay exact. Unsure if that point is not unique, or if cancellation, underflow or a far center costs
+/// precision. The result is the same to the bit for any order of the points: swapping b and c changes the
+/// signs of the numerators and of the denominator.
 ///
 /// Selections are products with 0 and 1, which are exact and free of branches, so that loops over triples
 /// are vectorized.
@@ -61,8 +61,8 @@ inline PowerCenter powerCenter(double ix, double iy, double iw, double px, doubl
   double exact = 8 * twice_area > larger(size, 1e-139) ? 1 : 0;
   const double near = rest_x * rest_x + rest_y * rest_y < 64 ? 1 : 0;
   if constexpr (weighted) {
-    // Of three points that are nearly on a line, or one of which is far away, the center may be near only
-    // with weights: the numerators cancel.
+    // If three points are nearly on a line, or one is far away, the center can be near only with weights: the
+    // numerators cancel.
     const double b_length = magnitude(b_x) + magnitude(b_y), c_length = magnitude(c_x) + magnitude(c_y);
     const double shortest = b_length < c_length ? b_length : c_length;
     const double length = shortest + magnitude(rest_x) + magnitude(rest_y);

@@ -9,7 +9,7 @@
 namespace vorpipe::core {
 namespace {
 
-/// A point seen from d, lifted to the paraboloid: x, y and x^2 + y^2.
+/// A point relative to d, lifted to the paraboloid: x, y and x^2 + y^2.
 struct Lifted {
   Expansion<2> x, y;
   Expansion<16> squared;
@@ -26,8 +26,8 @@ struct LiftedByWeight {
         squared(x * x + y * y + difference(d.weight, p.weight)) {}
 };
 
-/// Whether a, b and c, d are the parallel sides of a trapezoid that mirrors itself in a line along an axis:
-/// its corners lie on a circle. Rectangles are among these.
+/// Whether a, b and c, d are the parallel sides of a trapezoid symmetric about an axis-parallel line: its
+/// corners lie on a circle. Rectangles are among these.
 bool isMirrored(Point a, Point b, Point c, Point d) {
   const auto haveOneMiddle = [](double p, double q, double r, double s) {
     return DoubleDouble::sum(p, q) == DoubleDouble::sum(r, s);
@@ -36,15 +36,15 @@ bool isMirrored(Point a, Point b, Point c, Point d) {
          (a.x == b.x && c.x == d.x && haveOneMiddle(a.y, b.y, c.y, d.y));
 }
 
-/// a - b where a double holds that; else NaN.
+/// a - b if a double holds it; else NaN.
 double plainDifference(double a, double b) {
   const auto d = DoubleDouble::sum(a, -b);
   return d.low == 0 ? d.high : std::numeric_limits<double>::quiet_NaN();
 }
 
-/// The sign of inCircle by pairs of doubles, for points seen from d: 0 where these do not decide it. A
-/// product of two doubles is exact; a sum of pairs is off by 3 u^2 of itself and a product by 5 u^2, which
-/// for the whole is less than 20 u^2 of the sum of its terms' magnitudes. NaN decides nothing.
+/// The sign of inCircle by pairs of doubles, for points relative to d; 0 if these do not decide it. A product
+/// of two doubles is exact. A sum of pairs has a relative error of 3 u^2, a product of 5 u^2. In total that
+/// is less than 20 u^2 of the sum of the terms' magnitudes. NaN decides nothing.
 FOR_FUSED_TOO int inCircleByPairs(const std::array<double, 3>& x, const std::array<double, 3>& y) {
   constexpr double rounding = 0x1p-100;
   DoubleDouble inside;
@@ -74,8 +74,8 @@ int exactOrientation(Point a, Point b, Point c) {
   return (left - right).sign();
 }
 
-/// Pairs of doubles decide most of what is near a circle, and lattices are full of trapezoids; expansions
-/// take ten times as long.
+/// Pairs of doubles decide most cases near a circle, and lattices are full of trapezoids; expansions take ten
+/// times as long.
 int exactInCircle(Point a, Point b, Point c, Point d) {
   if (isMirrored(a, b, c, d) || isMirrored(b, c, a, d) || isMirrored(c, a, b, d)) return 0;
   const int inside =
@@ -85,8 +85,8 @@ int exactInCircle(Point a, Point b, Point c, Point d) {
   return sideOfOrigin(Lifted(a, d), Lifted(b, d), Lifted(c, d));
 }
 
-/// The four are corners of a convex polygon. The point that is raised most lifts the circle's plane at d, or
-/// lowers it, as d lies on its side of the other two or not.
+/// The four are corners of a convex polygon. The point raised most lifts the circle's plane at d if d lies on
+/// its side of the other two; otherwise it lowers the plane.
 int brokenTie(Point a, Point b, Point c, Point d) {
   const auto isBeyond = [](Point p, Point q) { return p.x != q.x ? p.x > q.x : p.y > q.y; };
   if (isBeyond(d, a) && isBeyond(d, b) && isBeyond(d, c)) return -1;

@@ -1,5 +1,5 @@
-/// Signs of determinants of points, exact: a filter in double with an error bound, and where the filter
-/// fails, expansions (Shewchuk 1997, "Adaptive precision floating-point arithmetic and fast robust geometric
+/// Exact signs of determinants of points: a filter in double with an error bound, and if the filter fails,
+/// expansions (Shewchuk 1997, "Adaptive precision floating-point arithmetic and fast robust geometric
 /// predicates"). Bounds are relative to the sum of the terms' magnitudes; u is 2^-53.
 ///
 /// Range: coordinates up to 2^240 whose differences are not below 2^-200; weights 0 or from 2^-500 to 2^480.
@@ -48,16 +48,17 @@ inline int inCircle(Point a, Point b, Point c, Point d) {
   return exactInCircle(a, b, c, d);
 }
 
-/// The same where ties are broken: never 0 for four different points. Points are lifted to the paraboloid x^2
-/// + y^2 and then raised, those of larger x, then of larger y, by infinitely more than others (Edelsbrunner
-/// and Mücke 1990, "Simulation of simplicity"). So the sign follows from the places of the points alone.
+/// The same, with ties broken: never 0 for four different points. Points are lifted to the paraboloid x^2 +
+/// y^2 and then raised; those of larger x, then of larger y, by infinitely more than others (Edelsbrunner and
+/// Mücke 1990, "Simulation of simplicity"). So the sign depends only on the positions of the points.
 inline int inCirclePerturbed(Point a, Point b, Point c, Point d) {
   const int inside = inCircle(a, b, c, d);
   return inside != 0 ? inside : brokenTie(a, b, c, d);
 }
 
-/// Where the powers |x - site|^2 - weight of a, b, c are equal: 1: that of d is less; -1: greater; 0: equal.
-/// Bound: 5 u of a lifted term, 4 u of a minor, 3 u to multiply and add them; 4e-15 is 36 u.
+/// Compares powers |x - site|^2 - weight at the point where those of a, b, c are equal. 1: that of d is less;
+/// -1: greater; 0: equal. Bound: 5 u of a lifted term, 4 u of a minor, 3 u to multiply and add them; 4e-15 is
+/// 36 u.
 inline int inCircle(const WeightedPoint& a, const WeightedPoint& b, const WeightedPoint& c,
                     const WeightedPoint& d) {
   constexpr double rounding = 4e-15;
@@ -75,8 +76,8 @@ inline int inCircle(const WeightedPoint& a, const WeightedPoint& b, const Weight
   return exactInCircle(a, b, c, d);
 }
 
-/// The same where ties are broken, as inCirclePerturbed without weights has them; but first all squared
-/// distances are scaled by 1 - e, for an infinitesimal e > 0, whose sign is that of the unweighted test,
+/// The same, with ties broken as in inCirclePerturbed without weights. But first, all squared distances are
+/// scaled by 1 - e, for an infinitesimal e > 0. The sign of its effect is that of the unweighted test,
 /// negated. So a point whose cell has no area is hidden.
 inline int inCirclePerturbed(const WeightedPoint& a, const WeightedPoint& b, const WeightedPoint& c,
                              const WeightedPoint& d) {
@@ -87,8 +88,8 @@ inline int inCirclePerturbed(const WeightedPoint& a, const WeightedPoint& b, con
   return unweighted != 0 ? -unweighted : brokenTie(a, b, c, d);
 }
 
-/// p lies on the line through a and b; x is its point where the powers of a and b are equal. 1: that of p is
-/// less there; -1: greater; 0: equal. Always exact, for it is called seldom.
+/// p lies on the line through a and b; x is the point of this line where the powers of a and b are equal. 1:
+/// that of p is less at x; -1: greater; 0: equal. Always exact, because it is rarely called.
 int inInterval(const WeightedPoint& a, const WeightedPoint& b, const WeightedPoint& p);
 
 }  // namespace vorpipe::core

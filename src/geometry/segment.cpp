@@ -11,8 +11,8 @@ struct Integrals {
   double one, y, xx, yy;
 };
 
-/// With a = half_angle and x = sin u, for -a <= u <= a, a segment is cos u - cos a high. The integrals of
-/// powers of that are sums of these terms.
+/// With a = half_angle and x = sin u, for -a <= u <= a, the height of a segment is cos u - cos a. The
+/// integrals of its powers are sums of these terms.
 Integrals closedIntegrals(double a) {
   const double sin2 = std::sin(2 * a), sin4 = std::sin(4 * a), cosine = std::cos(a);
   return {a - sin2 / 2, 0.75 * std::sin(a) + std::sin(3 * a) / 12 - a * cosine,

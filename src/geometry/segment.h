@@ -10,8 +10,8 @@ struct SegmentMeasures {
   double along, across;  ///< second moments about the centroid: along the chord, and across it
 };
 
-/// Of the segment whose arc is seen from the center under twice `half_angle`, which is 0 to pi; more than
-/// half a disc has its center in it. Every digit is right to some 1e-15, for small angles too.
+/// Measures the segment whose arc subtends twice `half_angle` at the center; `half_angle` is 0 to pi. A
+/// segment of more than half a disc contains the center. Accurate to some 1e-15, for small angles too.
 SegmentMeasures measureSegment(double radius, double half_angle);
 
 }  // namespace vorpipe::core

@@ -42,9 +42,9 @@ class Rounds {
     for (auto& least : heavy_) least = some[heavier /= 4];
   }
 
-  /// 0 with probability 15/16, 1 with 15/256, and so on. A point that is among the heaviest quarter comes a
-  /// round earlier, one of the heaviest sixteenth two, and so on: they hide most of those that are hidden,
-  /// which then never come in.
+  /// 0 with probability 15/16, 1 with 15/256, and so on. A point among the heaviest quarter comes one round
+  /// earlier, among the heaviest sixteenth two, and so on. These hide most hidden points, which are then
+  /// never inserted.
   [[nodiscard]] std::size_t of(std::size_t point) const {
     constexpr int bits = 4;
     auto round = static_cast<std::size_t>(std::countr_zero(mixed(point)) / bits);
@@ -66,8 +66,8 @@ struct InsertionOrder {
   std::vector<std::size_t> round_ends;  ///< ascending
 };
 
-/// Rounds keep cavities small whatever the points; inside a round they ascend, so that walks are short. With
-/// few rounds most of them are in the processor's cache.
+/// Rounds keep cavities small whatever the points; inside a round the points ascend, so that walks are short.
+/// With few rounds most of them are in the processor's cache.
 InsertionOrder insertionOrder(std::size_t count, const std::vector<double>& weights) {
   const Rounds rounds(weights);
   std::array<std::size_t, Rounds::most> end{};
@@ -78,12 +78,12 @@ InsertionOrder insertionOrder(std::size_t count, const std::vector<double>& weig
   return order;
 }
 
-/// By what points are cut into parts: by their order, or by columns or rows of the plane. Where one of them
-/// has most cavities cross borders, as the order has of curves that run side by side, another has not.
+/// How points are cut into parts: by their order, or by columns or rows of the plane. Most cavities may cross
+/// borders in one cut, as by order for curves side by side, but not in another.
 enum class Cut : std::uint8_t { order, columns, rows };
 
-/// Points cut into parts of about the same size; or cut half a part further on: then most cavities that
-/// crossed a border of the first cut lie inside one part.
+/// Points cut into parts of about the same size, or with borders half a part further on: then most cavities
+/// that crossed a border of the first cut lie inside one part.
 class Parts {
  public:
   Parts(const std::vector<Point>& points, Cut cut, std::size_t count, bool further)
@@ -147,8 +147,8 @@ class Triangulation {
     return mesh_.points[static_cast<std::size_t>(order_.points[k])];
   }
 
-  /// Makes the first triangle, of the first two points and the next that is not on their line, which becomes
-  /// the third.
+  /// Makes the first triangle from the first two points and the next one not on their line, which becomes the
+  /// third.
   bool begin() {
     auto& order = order_.points;
     const auto count = order.size();
@@ -181,8 +181,8 @@ class Triangulation {
     });
   }
 
-  /// Does the insertions begin to end - 1: side by side in parts; again in parts that are cut further on, if
-  /// that went well; and alone those that are left, whose cavities cross borders.
+  /// Performs insertions begin to end - 1: in parallel by parts; then, if that went well, again by parts with
+  /// shifted borders; finally one by one those left, whose cavities cross borders.
   void insertRound(std::size_t begin, std::size_t end) {
     constexpr std::size_t worth_sharing = 4096;
     std::vector<std::uint32_t> left(end - begin);
@@ -205,8 +205,9 @@ class Triangulation {
     takeHidden(insertion);
   }
 
-  /// How to cut, and into how many parts: so that few of the triangles so far cross borders. With some parts
-  /// for each thread all of them have work until the end; where too many would cross, with one.
+  /// Chooses the cut and the number of parts such that few of the triangles so far cross borders. With
+  /// several parts for each thread, all threads have work until the end; if too many triangles would cross,
+  /// uses one part for each.
   std::pair<Cut, std::size_t> bestCut(std::int32_t used) {
     constexpr std::size_t sample = 4096, few = 32, most_parts = 16;
     const auto threads = std::min<std::size_t>(static_cast<std::size_t>(threads_), most_parts);
@@ -230,7 +231,7 @@ class Triangulation {
     return best;
   }
 
-  /// Does those of `insertions` whose cavity stays in one part; leaves the others, ascending by part.
+  /// Performs those of `insertions` whose cavity stays in one part; leaves the others, ascending by part.
   void insertSideBySide(std::vector<std::uint32_t>& insertions, std::size_t parts) {
     std::vector<std::vector<std::uint32_t>> of_part(parts);
     for (const auto k : insertions) {
@@ -246,7 +247,7 @@ class Triangulation {
     for (const auto& left : of_part) insertions.insert(insertions.end(), left.begin(), left.end());
   }
 
-  /// The region of a triangle, if points have these.
+  /// The region of a triangle, from those of its points.
   template <class RegionOfPoint>
   static Region regionOf(const MeshTriangle& t, const RegionOfPoint& regionOfPoint) {
     Region region = everywhere;
@@ -259,8 +260,8 @@ class Triangulation {
     return region == everywhere ? of_several : region;
   }
 
-  /// Has walks begin at triangles that are at their points now; those that were, when their points came in,
-  /// may have gone far along a curve of points. The triangles are in slots 0 to used - 1.
+  /// Makes walks begin at triangles that are at their points now. Triangles that were there at insertion may
+  /// have moved far along a curve of points. The triangles are in slots 0 to used - 1.
   void startWalksNear(std::int32_t used) {
     parallelFor(static_cast<std::size_t>(used), triangulation_grain, threads_,
                 [&](std::size_t begin, std::size_t end) {
@@ -293,7 +294,7 @@ class Triangulation {
     hidden_.insert(hidden_.end(), insertion.hidden.begin(), insertion.hidden.end());
   }
 
-  /// By point: a triangle at it; for hidden points one that they lie in.
+  /// By point: a triangle at it; for a hidden point, one that contains it.
   std::vector<std::int32_t> triangleOfEach() {
     std::vector<std::int32_t> at(mesh_.points.size(), none);
     for (std::size_t t = 0; t < mesh_.triangles.size(); ++t) {

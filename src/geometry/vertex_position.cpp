@@ -21,8 +21,8 @@ constexpr AnchoredPoint nowhere{{not_a_number, not_a_number}, {0, 0}};
 /// most three bits to cancellation; its anchor, opposite the longest side, is one of the two sites that are
 /// nearest to each other.
 constexpr double relative_rounding = 0x1p-46;
-/// In scaled units. A center farther away is found in double-double, so that its error does not grow with the
-/// distance any more.
+/// In scaled units. A center farther away is found in double-double, so that its error no longer grows with
+/// the distance.
 constexpr double far = 8, farthest_rounded = 8 * far;
 
 double weightOf(const SiteSet& s, std::int32_t i) {
@@ -53,7 +53,7 @@ DoubleDouble wideCrossing(const WeightedPoint& i, const WeightedPoint& j, double
   return DoubleDouble(i.y) + (half - DoubleDouble::sum(at, -i.x) * dx) / dy;
 }
 
-/// The same as the sum of i.y and a double. In double-double where the terms of that double are much larger
+/// The same as the sum of i.y and a double. Uses double-double if the terms of that double are much larger
 /// than the distance from the nearer site: the bisector is nearly parallel to the wall, or sites have
 /// weights.
 DoubleDouble crossing(const WeightedPoint& i, const WeightedPoint& j, double at, bool weighted) {

@@ -1,4 +1,4 @@
-/// Where cells meet: the position of a corner from the sites and walls around it.
+/// Where cells meet: computes the position of a corner from the sites and walls around it.
 #pragma once
 
 #include <cmath>
@@ -20,8 +20,8 @@ double wallCoordinate(const Box& domain, std::int32_t wall);
 
 /// The position of the corner of `cell` between its neighbors `before` and `after`. It depends on the three
 /// sites, or two sites and a wall, that meet there, and is the same to the bit for any order of them: among
-/// interchangeable sites the lower input index goes first. NaN where the three do not meet, as two
-/// parallel walls do not.
+/// interchangeable sites the lower input index goes first. NaN if the three do not meet, e.g. two parallel
+/// walls.
 AnchoredPoint cornerPosition(const SiteSet& sites, std::int32_t cell, std::int32_t before,
                              std::int32_t after);
 
@@ -32,13 +32,13 @@ struct Triple {
 };
 Triple tripleOf(const SiteSet& sites, std::int32_t a, std::int32_t b, std::int32_t c);
 
-/// The corners where the edges of `cell` to the neighbors `row` begin, ties among them or not.
+/// Stores in `corners` where the edges of `cell` to the neighbors `row` begin, ties included.
 void placeCorners(const SiteSet& sites, std::size_t cell, std::span<const std::int32_t> row,
                   std::vector<AnchoredPoint>& corners);
 
-/// (Length of an edge - longest tie) * distance of its sites, where that distance is at most the domain's
+/// (Length of an edge - longest tie) * distance of its sites, if that distance is at most the domain's
 /// shorter side. (dx, dy): from the cell's site to its neighbor's; (ex, ey): from the edge's beginning to its
-/// end. Seen from the neighbor, where both are negated, it is the same to the bit.
+/// end. Seen from the neighbor, both vectors are negated and the result is the same to the bit.
 inline double excessLength(double dx, double dy, double ex, double ey) {
   return (dx * ey - dy * ex) - shortest_edge * (dx * dx + dy * dy);
 }
@@ -50,32 +50,33 @@ inline double excessLength(double dx, double dy, double ex, double ey, double sh
   return (dx * ey - dy * ex) - shortest_edge * shorter_side * std::sqrt(squared);
 }
 
-/// One edge of a cell. An edge at a wall is a tie only where rounding is longer: were it one below a part of
-/// a distance, as between sites, it could join the ends of an edge between two sites near each other.
+/// One edge of a cell. An edge at a wall is a tie only if rounding is longer. A threshold relative to a
+/// distance, as between sites, could join the ends of an edge between two nearby sites.
 struct EdgeSpan {
-  double excess;     ///< as excessLength, or a length along a wall; a tie where it is not positive
-  double tolerance;  ///< below minus this, or not a number, the edge is turned around: no tie, but wrong
+  double excess;     ///< as excessLength, or a length along a wall; a tie if it is not positive
+  double tolerance;  ///< if `excess` is below minus this, or NaN, the edge is turned around: not a tie, but
+                     ///< wrong
   double slack;      ///< how far apart one end may be in the two cells: the shortest edge, and rounding
   bool is_coarse;    ///< rounding is longer than a tie
   [[nodiscard]] bool isTie() const { return !(excess > 0); }
-  /// Whether it is from 0.01 to 9 ties long. Where its two cells differ about the sites at its ends, since
-  /// one lacks ties that the other has, such an edge may come out as a tie or not.
+  /// Whether it is from 0.01 to 9 ties long. If its two cells differ about the sites at its ends, because one
+  /// lacks ties that the other has, such an edge may or may not come out as a tie.
   [[nodiscard]] bool isAboutATie() const { return excess > -0.99 * tolerance && excess < 8 * tolerance; }
   [[nodiscard]] bool isTurned() const { return !(excess >= -tolerance); }
 };
 
-/// Whether an edge between sites, seen as in excessLength, is so long that its span is neither about a tie
-/// nor turned: sixteen times the longest tie and the most that rounding is.
+/// Whether an edge between sites, with arguments as in excessLength, is so long that its span is neither
+/// about a tie nor turned: above sixteen times the longest tie plus the most rounding.
 inline bool isFarFromATie(double dx, double dy, double ex, double ey) {
   constexpr double times = 16, most_rounding = 0x1p-40;
   const double squared = dx * dx + dy * dy;
   return dx * ey - dy * ex > times * (shortest_edge * squared + most_rounding * std::sqrt(squared));
 }
 
-/// The edge of `cell` to `neighbor`, a site or a wall, which runs from `begin`, where the neighbor before
-/// ends, to `end`, where the one after begins.
-/// `shortest` is the part of the sites' distance, or of the domain's shorter side, that is a tie:
-/// shortest_edge, or less where ties in a row would make a vertex wide (wide_vertices.h).
+/// The edge of `cell` to `neighbor`, a site or a wall, from `begin`, where the edge to `before` ends, to
+/// `end`, where the edge to `after` begins. `shortest` is the longest tie relative to the sites' distance, or
+/// to the domain's shorter side: shortest_edge, or less where ties in a row would make a vertex wide
+/// (wide_vertices.h).
 EdgeSpan edgeSpan(const SiteSet& sites, std::int32_t cell, std::int32_t before, std::int32_t neighbor,
                   std::int32_t after, const AnchoredPoint& begin, const AnchoredPoint& end,
                   double shortest = shortest_edge);

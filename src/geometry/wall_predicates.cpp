@@ -17,8 +17,8 @@ constexpr double center_error = 4e-15;
 constexpr double nearer_error = 2e-15;
 
 /// The sign of x - at, with x that of the center of the circle through a, b, c, which run counter-clockwise:
-/// x = a.x + (c.y |b|^2 - b.y |c|^2) / (2 b x c), with b and c seen from a. To the squares is added by how
-/// much a is heavier.
+/// x = a.x + (c.y |b|^2 - b.y |c|^2) / (2 b x c), with b and c relative to a. The amount by which a is
+/// heavier is added to the squares.
 int exactCenterSide(const WeightedPoint& a, const WeightedPoint& b, const WeightedPoint& c, double at) {
   const auto bx = difference(b.x, a.x), by = difference(b.y, a.y);
   const auto cx = difference(c.x, a.x), cy = difference(c.y, a.y);
@@ -53,7 +53,7 @@ std::uint8_t wallsReached(const Box& domain, const WeightedPoint& a, const Weigh
   const double x = cy * bb - by * cc, x_size = std::abs(cy) * b_size + std::abs(by) * c_size;
   const double y = bx * cc - cx * bb, y_size = std::abs(bx) * c_size + std::abs(cx) * b_size;
   const auto exactX = [&](double at) { return exactCenterSide(a, b, c, at); };
-  // To swap x and y turns the triangle around.
+  // Swapping x and y reverses the triangle.
   const auto exactY = [&](double at) { return exactCenterSide(swapped(a), swapped(c), swapped(b), at); };
   unsigned reached = 0;
   if (side(domain.xmin, a.x, x, x_size, exactX) <= 0) reached |= wallBit(wall_xmin);

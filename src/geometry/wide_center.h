@@ -10,7 +10,7 @@
 
 namespace vorpipe::core {
 
-/// A power of two, as a double, by its biased exponent, 1 to 2046.
+/// Returns the power of two with this biased exponent, 1 to 2046.
 inline double powerOfBiased(std::int64_t biased) { return std::bit_cast<double>(biased << 52); }
 
 /// The power center of i, j and k; i lies opposite the longest side. Free of branches, so that loops over

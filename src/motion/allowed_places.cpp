@@ -12,7 +12,7 @@
 namespace vorpipe::moving {
 namespace {
 
-/// The place of the edge from a to b that is nearest to p.
+/// Returns the place of the edge from a to b that is nearest to p.
 Point nearestOnEdge(Point a, Point b, Point p) {
   const double dx = b.x - a.x, dy = b.y - a.y;
   const double along = std::clamp(((p.x - a.x) * dx + (p.y - a.y) * dy) / (dx * dx + dy * dy), 0.0, 1.0);
@@ -24,7 +24,7 @@ Point nearestOnEdge(Point a, Point b, Point p) {
 struct AllowedPlaces::Shape {
   explicit Shape(core::Rings from) : rings(std::move(from)), index(rings) {}
 
-  /// Looks in boxes that grow until one holds an edge which no edge outside of it can be nearer than.
+  /// Searches in growing boxes until one holds an edge nearer than any edge outside of it can be.
   [[nodiscard]] Point nearestOnRings(Point p, double reach) const {
     std::vector<std::uint32_t> near;
     for (double half = reach * 0x1p-10;; half *= 2) {
@@ -48,7 +48,7 @@ struct AllowedPlaces::Shape {
 AllowedPlaces::AllowedPlaces(const Box& domain, const Outline& outline, Periodic periodic)
     : domain_(domain), x_repeats_(repeats(periodic).x), y_repeats_(repeats(periodic).y) {
   if (outline.empty()) return;
-  // Not scaled: exact predicates stand the range of coordinates.
+  // Not scaled: exact predicates support the range of coordinates.
   if (auto rings = core::ringsOf(outline, 0)) shape_ = std::make_unique<Shape>(std::move(*rings));
 }
 

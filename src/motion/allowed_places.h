@@ -8,9 +8,9 @@
 
 namespace vorpipe::moving {
 
-/// A place beyond a box or an outline stands for the nearest one inside. That is what a site whose centroid
-/// lies outside is to move to: of the places in the domain it is the one with the least energy, since energy
-/// grows with the squared distance to the centroid. Along periodic axes all places are allowed.
+/// Maps a place outside a box or an outline to the nearest place inside. That is the best target for a site
+/// whose centroid lies outside: it has the least energy of all places in the domain, since energy grows with
+/// the squared distance to the centroid. Along periodic axes all places are allowed.
 class AllowedPlaces {
  public:
   /// The domain is valid.
@@ -20,7 +20,7 @@ class AllowedPlaces {
   ~AllowedPlaces();
 
   [[nodiscard]] bool contain(Point place) const;
-  /// The place itself, or the nearest that is allowed.
+  /// Returns the place itself, or the nearest allowed one.
   [[nodiscard]] Point nearestTo(Point place) const { return shape_ ? nearestInShape(place) : inBox(place); }
 
  private:

@@ -20,7 +20,7 @@ constexpr std::array<std::pair<std::string_view, FluidCase>, 5> names{{
     {"dam-break", FluidCase::dam_break},
 }};
 
-/// The centers of about `count` squares that fill a box, row by row.
+/// Returns the centers of about `count` squares that fill a box, row by row.
 Sites squaresIn(const Box& box, std::uint64_t count) {
   const double width = box.xmax - box.xmin, height = box.ymax - box.ymin;
   const double wanted = std::sqrt(static_cast<double>(count) * width / height);
@@ -85,8 +85,8 @@ void setShear(FluidSetup& setup, std::uint64_t parcels) {
   setVelocities(setup.state, shear);
 }
 
-/// A fluid of three times the density above one in a box that is twice as high as wide; their border is a
-/// wave of the box's width.
+/// A heavy fluid above a light one of a third of its density, in a box that is twice as high as wide; their
+/// border is a wave of the box's width.
 void setRayleighTaylor(FluidSetup& setup, std::uint64_t parcels) {
   setup.options.domain = {0, -1, 1, 1};
   setup.options.gravity = {0, -1};

@@ -9,15 +9,16 @@
 namespace vorpipe::moving {
 namespace {
 
-/// Diagrams of the density itself after which levels are worth theirs, unless masses are about right by then.
+/// Number of diagrams of the density itself before levels are worth their cost, unless masses are about right
+/// by then.
 constexpr std::uint64_t patience = 50;
 /// From here on Newton's method ends soon.
 constexpr double about_right = 1;
-/// Of a level that is followed by another one.
+/// Tolerance of a level that is followed by another one.
 constexpr double level_tolerance = 0.3;
 
-/// What is added at each level, as parts of the density's mean. In the end all that is added to a part of the
-/// domain has less than half of the mean cell's mass, so that each cell keeps some without it.
+/// Returns the additions at each level, as parts of the density's mean. At the end the total addition has
+/// less than half of the mean cell's mass, so that each cell keeps some mass without it.
 std::vector<double> levelsFor(std::size_t sites) {
   std::vector<double> levels;
   double part = 1;
@@ -34,7 +35,7 @@ double meanOf(const std::vector<double>& values) {
   return sum.value() / static_cast<double>(values.size());
 }
 
-/// The diagrams of several searches as one.
+/// Joins the diagrams of several searches into one trace.
 class JoinedTrace {
  public:
   JoinedTrace(const PrescribedLimits& limits, const TransportWatcher& watcher)
@@ -51,7 +52,8 @@ class JoinedTrace {
     return end;
   }
 
-  /// Diagrams. A search that ends with one that was not taken measures the one before it again, beyond them.
+  /// Number of diagrams left. A search whose last diagram was not taken measures the one before it again, in
+  /// excess of the limit.
   [[nodiscard]] std::uint64_t left() const {
     return limits_.diagrams - std::min(diagrams_, limits_.diagrams);
   }
@@ -77,7 +79,8 @@ double worstKept(const std::vector<TransportStep>& steps) {
   return last == steps.rend() ? std::numeric_limits<double>::infinity() : last->worst;
 }
 
-/// All densities. Unless each of them gets its masses, the weights are those that the sites came with.
+/// Goes through all densities. Unless each of them reaches its masses, restores the weights that the sites
+/// came with.
 Result<TransportEnd> goThroughLevels(Session& session, const CellsOptions& options,
                                      const std::vector<double>& masses, Sites& sites, JoinedTrace& trace) {
   const std::vector<double> before = sites.weight;
@@ -90,7 +93,7 @@ Result<TransportEnd> goThroughLevels(Session& session, const CellsOptions& optio
     PrescribedCells cells(session, level, Surface::none, masses);
     end = trace.solve(cells, sites, level_tolerance, trace.left());
     if (!end || *end != TransportEnd::converged) break;
-    // One diagram at least is the density's own.
+    // At least one diagram is for the density itself.
     if (trace.left() > 0) continue;
     end = TransportEnd::diagrams;
     break;

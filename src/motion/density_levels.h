@@ -1,4 +1,4 @@
-/// Masses under a density that is far from even, by way of densities that are less so.
+/// Prescribed masses under a very uneven density, by way of more even densities.
 #pragma once
 
 #include <vector>
@@ -8,17 +8,17 @@
 
 namespace vorpipe::moving {
 
-/// Where Newton's method got to.
+/// The state that Newton's method reached.
 struct ReachedWeights {
   TransportEnd end = TransportEnd::converged;
   std::vector<TransportStep> trace{};  ///< of all densities
   PrescribedCells cells;               ///< as its solve() left them under `options`
 };
 
-/// Finds the weights of `sites` for these masses, as PrescribedCells::solve does. Where the density leaves
-/// large parts of the domain next to empty, Newton steps are cut short there by cells that would lose their
-/// mass. So where the density itself has not led anywhere after some diagrams, parts of its mean are added to
-/// it, ten times less each time, and each level begins with the weights of the one before (decision D118).
+/// Finds the weights of `sites` for these masses, as PrescribedCells::solve does. If the density is almost 0
+/// in large parts of the domain, cells there would lose their mass and force short Newton steps. So if there
+/// is no progress after some diagrams, this adds parts of the density's mean to it, ten times less at each
+/// level. Each level begins with the weights of the one before (decision D118).
 Result<ReachedWeights> reachWeights(Session& session, const CellsOptions& options, Surface surface,
                                     const std::vector<double>& masses, Sites& sites,
                                     const PrescribedLimits& limits, const TransportWatcher& watcher);

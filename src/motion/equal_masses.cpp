@@ -14,7 +14,7 @@
 namespace vorpipe::moving {
 namespace {
 
-/// The shortest ways, by the sum of their squares, that change masses by `missing`, to first order.
+/// Returns the shortest moves, by the sum of their squares, that change masses by `missing`, to first order.
 std::vector<Point> shortestWays(const MassChange& change, const std::vector<double>& missing, int threads) {
   constexpr double enough = 1e-3;
   const std::vector<double> alike(missing.size(), 1.0);
@@ -25,7 +25,7 @@ std::vector<Point> shortestWays(const MassChange& change, const std::vector<doub
   return way;
 }
 
-/// One attempt after the other.
+/// Makes one attempt after another.
 class Equalizer {
  public:
   Equalizer(Session& session, Sites sites, const CellsOptions& options)
@@ -53,7 +53,8 @@ class Equalizer {
   [[nodiscard]] double worst() const { return worst_; }
 
  private:
-  /// The worst part by which a mass differs from the mean of all that have one; what each misses is noted.
+  /// Returns the largest relative difference of a mass from the mean of all that have one; stores what each
+  /// misses.
   Result<double> measure(const Sites& at) {
     VORPIPE_TRY(cells_.update(at));
     ++diagrams_;
@@ -72,7 +73,7 @@ class Equalizer {
     return worst;
   }
 
-  /// Takes the longest part of the ways, half as long each time, that makes the worst cell better.
+  /// Takes the longest part of the moves, halved each time, that improves the worst cell.
   Result<bool> search(const std::vector<Point>& ways, std::uint64_t most) {
     constexpr double least = 0x1p-6;
     for (double length = 1; length >= least && diagrams_ < most; length /= 2) {

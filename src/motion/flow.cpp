@@ -15,11 +15,11 @@
 namespace vorpipe::moving {
 namespace {
 
-/// What projected velocities may change areas by in a step, as a part of what areas may be off. Measured:
-/// velocities of a vortex are no better after less.
+/// Area change that projected velocities may cause in a step, as a part of the area tolerance. Measured: a
+/// smaller value does not improve velocities of a vortex.
 constexpr double enough_projected = 0.1;
 
-/// The tolerance of areas in the middle of a step, where only the directions of projections come from them.
+/// Tolerance of areas in the middle of a step, where they only determine the directions of projections.
 constexpr double tolerance_in_the_middle = 1e-3;
 
 CellsOptions cellsOptions(const FluidOptions& options) {
@@ -31,8 +31,8 @@ CellsOptions cellsOptions(const FluidOptions& options) {
   return cells;
 }
 
-/// The least density of the parcels. Springs are as stiff as epsilon says for it, and softer for what is
-/// heavier: so that the unit of mass makes no difference.
+/// Returns the least density of the parcels. Springs of the lightest parcels are as stiff as epsilon says,
+/// those of heavier ones softer. So the unit of mass makes no difference.
 double lightest(const Parcels& parcels) {
   double least = parcels.mass[0] / parcels.volume[0];
   for (std::size_t i = 0; i < parcels.size(); ++i) {
@@ -47,7 +47,7 @@ tl::unexpected<Error> cancelled(std::string_view before) {
   return tl::unexpected(Error{ErrorCode::cancelled, "stopped before " + std::string(before)});
 }
 
-/// Adds time times what accelerates.
+/// Adds time times acceleration.
 void kick(std::vector<Point>& velocity, const std::vector<Point>& acceleration, double time, int threads) {
   forAll(velocity.size(), threads, [&](std::size_t i) {
     velocity[i].x += time * acceleration[i].x;
@@ -55,8 +55,8 @@ void kick(std::vector<Point>& velocity, const std::vector<Point>& acceleration, 
   });
 }
 
-/// Takes from the velocities what changes areas: what is left is the nearest velocity that changes none, as
-/// masses weigh it. `least`, `goes_on`, `pressure` and the result as solvePressure() has them.
+/// Removes from the velocities the part that changes areas. The result is the nearest velocity that changes
+/// none, weighted by masses. `least`, `goes_on`, `pressure` and the returned value are as in solvePressure().
 std::uint64_t project(const MassChange& change, std::span<const double> mass, double least, int threads,
                       const std::function<bool()>& goes_on, std::vector<double>& pressure,
                       std::vector<Point>& velocity) {
@@ -80,7 +80,7 @@ Flow::Flow(Session& session, const FluidOptions& options, const Parcels& parcels
                      : 0),
       cells_(session, cellsOptions(options), options.surface, parcels.volume) {}
 
-/// Puts sites back into the period, and notes by how much what falls through it.
+/// Moves sites back into the period, and records mass times shift along gravity.
 Result<void> Flow::wrap(Parcels& parcels) const {
   if (options_.periodic == Periodic::none) return {};
   auto inside = wrapped(parcels.sites, options_.domain, options_.periodic, threads_);
@@ -89,7 +89,7 @@ Result<void> Flow::wrap(Parcels& parcels) const {
   const auto carried = [&](const std::vector<double>& from, const std::vector<double>& to, double side) {
     return carefulSum(parcels.size(), threads_, [&](std::size_t i) {
       const double way = to[i] - from[i];
-      // Sites inside may be moved by rounding.
+      // Rounding may move sites that are inside.
       return std::abs(way) > side / 2 ? parcels.mass[i] * way : 0;
     });
   };
@@ -103,8 +103,8 @@ Result<void> Flow::wrap(Parcels& parcels) const {
   return {};
 }
 
-/// Finds weights with which the cells have their areas. They begin as they would be if they changed as they
-/// did last, which spares about one diagram of three.
+/// Finds weights with which the cells have their areas. The initial weights extrapolate the last change,
+/// which saves about one diagram of three.
 Result<bool> Flow::areas(Parcels& parcels, double time, double tolerance) {
   std::vector<double>& weight = parcels.sites.weight;
   const std::vector<double> before = weight;
@@ -128,8 +128,8 @@ Result<bool> Flow::areas(Parcels& parcels, double time, double tolerance) {
   return *end == TransportEnd::converged;
 }
 
-/// Springs pull sites to the centroids of their cells. Weights are then pressures, up to a factor: by so much
-/// the energy of springs grows with the volume of a cell.
+/// Springs pull sites to the centroids of their cells. Then weights are pressures up to a factor: the rate at
+/// which the springs' energy grows with a cell's volume.
 void Flow::accelerate(Parcels& parcels) const {
   const bool springs = options_.scheme == FluidScheme::springs;
   const CellMoments& moments = cells_.cells().moments();
@@ -170,7 +170,7 @@ Result<bool> Flow::springs(Parcels& parcels, double length) {
 }
 
 /// Zehnder, Narain and Thomaszewski 2018, algorithm 1, for sites that carry their velocities: half a step,
-/// reflection about the velocities that change no area, the other half, projection to them.
+/// reflection about the velocities that change no area, the other half, projection onto those velocities.
 Result<bool> Flow::reflection(Parcels& parcels, double length) {
   const auto half = [&](double tolerance) {
     drift(parcels, length / 2);
@@ -179,7 +179,7 @@ Result<bool> Flow::reflection(Parcels& parcels, double length) {
     return placed;
   };
   const double least = enough_projected * options_.tolerance * normOf(parcels.volume, threads_) / length;
-  // A pressure may take longer than all else.
+  // Finding a pressure may take longer than all else.
   bool stopped = false;
   const auto goes_on = [&] {
     stopped = stopped || (options_.progress && !options_.progress("pressure", 0));
@@ -192,7 +192,7 @@ Result<bool> Flow::reflection(Parcels& parcels, double length) {
   auto placed = half(std::max(options_.tolerance, tolerance_in_the_middle));
   if (!placed || !*placed) return placed;
   const std::vector<Point> before = parcels.velocity;
-  // The step before left a pressure: what changes areas grows with the time since, and so does this.
+  // Starts from the last step's pressure: area changes grow with the time since, and so does this pressure.
   const double scale = -length / 2;
   for (double& pressure : parcels.pressure) pressure *= scale;
   projectInto(parcels.pressure);
@@ -214,9 +214,9 @@ Result<bool> Flow::advance(Parcels& parcels, double length) {
   return options_.scheme == FluidScheme::springs ? springs(parcels, length) : reflection(parcels, length);
 }
 
-/// A site goes no farther than a part of the spacing, and springs swing in no less than 8 pi steps, with
-/// which the energy keeps to 1e-3. By projection epsilon is a time as well: what slows down makes no longer
-/// steps than the spacing over its usual speed.
+/// A site moves at most a part of the spacing, and springs oscillate in at least 8 pi steps, which preserves
+/// energy to 1e-3. With projection epsilon is a time as well: a flow that slows down makes no longer steps
+/// than the spacing over its usual speed.
 double Flow::length(const Parcels& parcels) const {
   if (options_.step > 0) return options_.step;
   const bool free = options_.surface == Surface::free;
@@ -237,7 +237,7 @@ void Flow::measure(const Parcels& parcels, FluidStep& step) const {
     return Point{moments.centroid[i].x - parcels.sites.x[i], moments.centroid[i].y - parcels.sites.y[i]};
   };
   step.kinetic = sum([&](std::size_t i) { return parcels.mass[i] * square(parcels.velocity[i]) / 2; });
-  // Springs accelerate sites; by projection a site may leave the middle of its cell, which the mass is in.
+  // Springs accelerate sites; with projection a site may leave the centroid of its cell, where the mass is.
   const bool at_sites = options_.scheme == FluidScheme::springs;
   step.potential = -sum([&](std::size_t i) {
     const Point at = at_sites ? Point{parcels.sites.x[i], parcels.sites.y[i]} : moments.centroid[i];

@@ -1,4 +1,4 @@
-/// One step of a fluid's parcels, by each scheme.
+/// One time step of a fluid's parcels, by each scheme.
 #pragma once
 
 #include <cstdint>
@@ -10,23 +10,23 @@
 
 namespace vorpipe::moving {
 
-/// Moves parcels, and keeps their areas.
+/// Moves parcels and preserves their areas.
 class Flow {
  public:
   Flow(Session& session, const FluidOptions& options, const Parcels& parcels);
 
-  /// Finds the cells of the parcels where they are, and what accelerates them; `time` since they had others.
-  /// Whether all have their areas.
+  /// Finds the cells and the accelerations of the parcels at their present places; `time` is the time since
+  /// their last cells. Returns whether all cells have their areas.
   Result<bool> place(Parcels& parcels, double time = 0);
-  /// A step of that much time. Whether all cells have their areas at its end; if not, the parcels are
-  /// somewhere on their way.
+  /// Makes a step of that much time. Returns whether all cells have their areas at its end; if not, the
+  /// parcels stop at some point along their way.
   Result<bool> advance(Parcels& parcels, double length);
-  /// The time of the next step, where the options leave it open.
+  /// Returns the time of the next step, if the options leave it open.
   [[nodiscard]] double length(const Parcels& parcels) const;
 
-  /// Energies, momentum and errors of parcels that were placed last.
+  /// Measures energies, momentum and errors of the parcels placed last.
   void measure(const Parcels& parcels, FluidStep& step) const;
-  /// Diagrams and iterations since the last call are added.
+  /// Adds the diagrams and iterations since the last call.
   void count(FluidStep& step);
   [[nodiscard]] const Report& report() const { return cells_.cells().report(); }
 

@@ -24,9 +24,9 @@ using namespace moving;
 
 namespace {
 
-/// Steps after which sites that have moved get a new order in memory.
+/// Number of steps after which moved sites get a new order in memory.
 constexpr std::uint64_t steps_of_order = 32;
-/// A step whose areas cannot be found is halved, at most this number of times.
+/// A step whose areas cannot be found is halved, at most this many times.
 constexpr int most_halvings = 6;
 
 tl::unexpected<Error> refuse(std::string message) {
@@ -43,7 +43,7 @@ bool isPermutation(const std::vector<std::uint32_t>& order, std::size_t count) {
   return true;
 }
 
-/// Energies are products of these, which a double has to hold.
+/// Energies are products of these values and must fit in a double.
 constexpr double largest = 1e50;
 bool isUsable(double value) { return std::abs(value) <= largest; }
 bool isUsable(Point v) { return isUsable(v.x) && isUsable(v.y); }
@@ -67,7 +67,7 @@ Result<void> checkOptions(const FluidOptions& options) {
   return {};
 }
 
-/// Cells that fill the domain have its area together, and with a free surface no more.
+/// Checks that the volumes add up to the domain's area, or with a free surface to no more.
 Result<void> checkVolumes(Surface surface, const std::vector<double>& volume, double area) {
   constexpr double slack = 1e-9;
   CarefulSum sum;
@@ -78,7 +78,7 @@ Result<void> checkVolumes(Surface surface, const std::vector<double>& volume, do
       fmt::format("volume: they add up to {}, and the area of the domain is {}", sum.value(), area));
 }
 
-/// Refuses arrays that are none of these sites, and fills in those that may be left out.
+/// Refuses arrays that do not match these sites, and fills in those that may be left out.
 Result<void> completeState(const FluidOptions& options, FluidState& state) {
   const std::size_t count = state.sites.size();
   const auto positive = [](double value) { return value > 0 && std::isfinite(value); };
@@ -108,7 +108,7 @@ Result<void> completeState(const FluidOptions& options, FluidState& state) {
   return {};
 }
 
-/// Two parcels at one place cannot be told apart.
+/// Refuses two parcels at one place, which cannot be distinguished.
 Result<void> checkDistinct(const Sites& sites, const FluidOptions& options, int threads) {
   if (options.periodic == Periodic::none) return checkPlaces(sites, options.domain, options.periodic);
   const auto inside = wrapped(sites, options.domain, options.periodic, threads);
@@ -128,16 +128,16 @@ struct Fluid::State {
 
   Session& session;
   FluidOptions options;
-  FluidState callers;  ///< in the caller's order, once it was asked for
+  FluidState callers;  ///< in the caller's order, updated on request
   bool callers_are_old = false;
   Parcels now;
   std::unique_ptr<Flow> flow;
   Stopwatch watch{};
   FluidStep last{};
   FluidEnd end = FluidEnd::none;
-  Report report{};                   ///< as the caller has it
+  Report report{};                   ///< as returned to the caller
   std::vector<std::string> notes{};  ///< of the fluid
-  double highest = 0;                ///< an energy that no flow reaches
+  double highest = 0;                ///< an upper bound of the flow's energy
   bool has_exploded = false, is_outgrown = false;
   bool is_pushed = false;  ///< since the last step
 
@@ -153,8 +153,8 @@ struct Fluid::State {
   void judge(const FluidStep& step);
 };
 
-/// Energy is what it is now, and at most all that there is to move with may come to it: rounding and steps
-/// that are a little long add less.
+/// Bounds the energy by its present value plus all energy that can still turn into motion. Rounding and
+/// slightly too long steps add less than that.
 void Fluid::State::judgeFrom(const FluidStep& step) {
   update();
   const std::vector<double> fall = fallOf(callers, options);
@@ -166,7 +166,7 @@ void Fluid::State::judgeFrom(const FluidStep& step) {
   highest = movable > 0 ? step.energy() + movable : std::numeric_limits<double>::infinity();
 }
 
-/// Notes, once each, that energy has come out of nothing, or that speeds have outgrown the springs.
+/// Notes, once each, that energy has come out of nothing, or that speeds are too large for the springs.
 void Fluid::State::judge(const FluidStep& step) {
   if (std::exchange(is_pushed, false)) judgeFrom(step);
   if (!has_exploded && !(step.energy() <= highest)) {
@@ -176,7 +176,7 @@ void Fluid::State::judge(const FluidStep& step) {
                     step.energy(), step.time));
   }
   if (has_exploded || is_outgrown || options.scheme != FluidScheme::springs) return;
-  // What is slow for now may fall later.
+  // A slow fluid may fall later.
   const double spacing = meanSpacing(callers.volume);
   if (!areTooSoft(options.epsilon, step.fastest, spacing, options.surface)) return;
   is_outgrown = true;
@@ -191,7 +191,8 @@ void Fluid::State::update() {
   callers_are_old = false;
 }
 
-/// Neighbors drift apart in memory. What accelerates stays as it is: it follows the parcels.
+/// Restores the memory order, since neighbors drift apart. Accelerations do not change: they follow the
+/// parcels.
 Result<bool> Fluid::State::reorder() {
   update();
   callers.order.clear();
@@ -201,7 +202,7 @@ Result<bool> Fluid::State::reorder() {
   return flow->place(now);
 }
 
-/// A step that was not made may have left cells that are not those of its beginning.
+/// Finds the cells again, since a failed step may have left cells that are not those of its beginning.
 Result<void> Fluid::State::placeAgain() {
   update();
   now = parcelsOf(callers, options.domain);
@@ -213,12 +214,12 @@ Result<void> Fluid::State::placeAgain() {
   return {};
 }
 
-/// A step, or two of half its length where areas cannot be found, and so on.
+/// Makes a step, or two of half its length if areas cannot be found, and so on.
 Result<bool> Fluid::State::attempt(double length, int halvings, FluidStep& step) {
   const Parcels before = now;
   auto done = flow->advance(now, length);
   flow->count(step);
-  // What was right before the step is not wrong for its sites' sake: it led them too far.
+  // The sites were valid before the step, so such an error means that the step led them too far.
   if (!done && done.error().code == ErrorCode::input) done = false;
   if (done && *done) return done;
   now = before;
@@ -231,7 +232,7 @@ Result<bool> Fluid::State::attempt(double length, int halvings, FluidStep& step)
   return done;
 }
 
-/// A step whose figures are known, whether it was made.
+/// Makes a step and measures it; returns whether it was made.
 Result<bool> Fluid::State::move(double length, FluidStep& step) {
   if (callers.step > 0 && callers.step % steps_of_order == 0) {
     if (auto ordered = reorder(); !ordered || !*ordered) return ordered;
@@ -241,7 +242,7 @@ Result<bool> Fluid::State::move(double length, FluidStep& step) {
   return done;
 }
 
-/// A step that fails, as by want of memory, has not been: the next one begins where it did.
+/// A step that fails, as for lack of memory, does not count: the next one begins where it did.
 Result<bool> Fluid::State::advance() {
   if (end != FluidEnd::none) return false;
   if (is_torn) {
@@ -250,7 +251,7 @@ Result<bool> Fluid::State::advance() {
   FluidStep step{callers.step + 1};
   const double left = options.until - callers.time;
   double length = flow->length(now);
-  // What is left after the last whole step may be nothing but rounding.
+  // The time left after the last whole step may be only rounding.
   constexpr double rounding = 1e-9;
   if (!(left > rounding * length)) {
     end = FluidEnd::time;
@@ -261,7 +262,7 @@ Result<bool> Fluid::State::advance() {
   if (!(callers.time + length > callers.time)) {
     return refuse(fmt::format("step: one of {} is nothing beside the time, {}", length, callers.time));
   }
-  // Diagrams of few sites are found before they ask.
+  // Diagrams of few sites finish before they call progress.
   if (options.progress && !options.progress("step", 0)) {
     end = FluidEnd::cancelled;
     return false;
@@ -319,7 +320,7 @@ Result<Fluid> Fluid::begin(Session& session, FluidState state, FluidOptions opti
   fluid.state_ = std::make_unique<State>(session, std::move(options), std::move(state));
   State& s = *fluid.state_;
   s.notes = std::move(notes);
-  // Of springs that are too soft from the first it was told.
+  // The first notes already report springs that are too soft from the beginning.
   s.is_outgrown = areTooSoft(s.options.epsilon, usualSpeed(s.callers, s.options),
                              meanSpacing(s.callers.volume), s.options.surface);
   const auto placed = s.flow->place(s.now);

@@ -1,4 +1,4 @@
-/// Parts of the domain that no edge joins, as islands are.
+/// Parts of the domain not joined by any edge, such as islands.
 #pragma once
 
 #include <cstdint>
@@ -9,15 +9,15 @@
 
 namespace vorpipe::moving {
 
-/// The connected part of a graph of cells that lacks most mass.
+/// The connected part of a graph of cells that lacks the most mass.
 struct LackingPart {
   std::vector<std::uint32_t> cells;  ///< empty where all cells are one part
-  double lack = 0;                   ///< of all its cells together
+  double lack = 0;                   ///< total of its cells
 };
 
 LackingPart lackingPart(const Laplacian& matrix, std::span<const double> missing, int threads);
 
-/// What these cells lack together.
+/// Returns the total mass that these cells lack.
 double lackOf(std::span<const std::uint32_t> cells, std::span<const double> missing);
 
 }  // namespace vorpipe::moving

@@ -21,7 +21,7 @@ Result<double> latticeEnergy(Session& session, const Sites& sites, CellsOptions 
     return latticeEnergy(pixel * carefulSum(density.values.size(), session.threads(),
                                             [&](std::size_t k) { return density.values[k]; }));
   }
-  // The cells share out what the outline, or the box of the density, has in the domain.
+  // The cells divide the mass inside the outline, or inside the density's box, within the domain.
   options.detail = Detail::measures;
   const auto cells = session.cells(sites, options);
   if (!cells) return tl::unexpected(cells.error());

@@ -12,13 +12,13 @@ namespace {
 
 using Site = std::uint32_t;
 
-/// Sites beside others, in the pattern of a sunflower's seeds: none has the place of another.
+/// Places sites beside others, in the pattern of a sunflower's seeds: no two places coincide.
 class Seats {
  public:
   Seats(const CellMoments& moments, const AllowedPlaces& allowed, Sites& places)
       : moments_(moments), allowed_(allowed), places_(places) {}
 
-  /// Seats `guests` around where the host moves to, well inside of a round cell of its area.
+  /// Seats `guests` around the host's new place, well inside a round cell of its area.
   void seat(Site host, const std::vector<Site>& guests, double turned) {
     constexpr double golden_angle = 2.399963229728653, part_of_cell = 0.25;
     const double reach = part_of_cell * std::sqrt(moments_.area[host]);
@@ -55,7 +55,8 @@ std::uint64_t seatDuplicates(const Sites& sites, const CellMoments& moments, Sea
   return count;
 }
 
-/// The cells with the most energy, as many as there are guests if there are enough; the first one has most.
+/// Returns the cells with the most energy, in descending order: as many as there are guests, if there are
+/// enough.
 std::vector<Site> costliest(const Sites& sites, const CellMoments& moments, std::size_t count) {
   std::vector<std::pair<double, Site>> cells;
   for (Site i = 0; i < sites.size(); ++i) {

@@ -1,4 +1,4 @@
-/// How masses of cells answer to their weights.
+/// The derivative of cell masses with respect to weights.
 #pragma once
 
 #include <cstdint>
@@ -8,7 +8,7 @@
 
 namespace vorpipe::moving {
 
-/// Fills `matrix` with d mass / d weight: walls, and images of a cell's own site, have no part in it.
+/// Fills `matrix` with d mass / d weight. Walls, and images of a cell's own site, do not contribute.
 void massMatrix(const CellsThatMeet& meet, const EdgesOfCells& edges, int threads, Laplacian& matrix);
 
 }  // namespace vorpipe::moving

@@ -31,7 +31,7 @@ Result<void> fillDomain(Session& session, std::size_t sites, double part, Transp
   if (masses.empty()) masses.assign(sites, 1);
   if (masses.empty()) return {};
   if (!std::ranges::all_of(masses, [](double mass) { return std::isfinite(mass) && mass > 0; })) return {};
-  // As parts of the greatest first: the sum of masses as they are may be out of the range of a double.
+  // Divides by the greatest mass first: the sum of the given masses may overflow a double.
   const double greatest = *std::ranges::max_element(masses);
   const double sum =
       carefulSum(masses.size(), session.threads(), [&](std::size_t i) { return masses[i] / greatest; });

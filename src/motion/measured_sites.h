@@ -1,4 +1,4 @@
-/// What a diagram says of its sites: their energy, and where each wants to go.
+/// Measures the sites of a diagram: their energy, and where each is to move.
 #pragma once
 
 #include <cstdint>
@@ -13,16 +13,16 @@ namespace vorpipe::moving {
 struct MeasuredSites {
   std::vector<double> gradient;  ///< of the energy: 2 m (p - c)
   std::vector<double> inverse;   ///< 1 / (2 m); 0 where there is no mass
-  std::vector<double> way;       ///< to the centroid, or to the allowed place that is nearest to it
+  std::vector<double> way;       ///< to the centroid, or to the allowed place nearest to it
   double energy = 0;
-  double scale = 0;     ///< the same sum without signs: rounding is a part of this
+  double scale = 0;     ///< the same sum of absolute values: rounding errors are relative to this
   double area = 0;      ///< of all cells
   double farthest = 0;  ///< the longest of `way`, in the caller's unit
   std::uint64_t cells = 0;
-  bool has_lost = false;  ///< sites that have no mass
+  bool has_lost = false;  ///< some sites have no mass
 };
 
-/// Of sites that stand where the moments were measured, along periodic axes as wrapped() places them.
+/// Measures sites at the places of the moments, along periodic axes as placed by wrapped().
 MeasuredSites measureSites(const Sites& sites, const CellMoments& moments, const AllowedPlaces& allowed,
                            int threads);
 

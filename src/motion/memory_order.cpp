@@ -7,7 +7,8 @@
 namespace vorpipe::moving {
 namespace {
 
-/// Columns or rows of squares, and which of them holds a coordinate: those beyond the domain at its border.
+/// Columns or rows of squares. Maps a coordinate to its square; coordinates beyond the domain map to the
+/// border.
 struct Squares {
   double low, per_length;
   std::uint32_t count;
@@ -28,7 +29,7 @@ std::vector<std::uint32_t> memoryOrder(const Sites& sites, const Box& domain) {
   const double width = domain.xmax - domain.xmin, height = domain.ymax - domain.ymin;
   const double size = std::sqrt(2 * (width / static_cast<double>(sites.size())) * height);
   const Squares columns(domain.xmin, domain.xmax, size), rows(domain.ymin, domain.ymax, size);
-  // A counting sort, which is stable: first by column, then by row.
+  // Stable counting sorts: first by column, then by row.
   std::vector<std::uint32_t> order(sites.size()), sorted(sites.size());
   std::iota(order.begin(), order.end(), 0u);
   const auto sortBy = [&](std::uint32_t count, const auto& keyOf) {

@@ -1,4 +1,4 @@
-/// How far masses of cells are from those that are prescribed.
+/// The difference of cell masses from the prescribed ones.
 #pragma once
 
 #include <span>
@@ -14,8 +14,8 @@ struct Misfit {
   double least = 0;  ///< least mass / target
 };
 
-/// Fills `missing` with target - mass by site. Where cells fill the domain the targets are scaled to add up
-/// to what the cells do, since only that can be reached; rounding then shows in no cell but where it arose.
+/// Fills `missing` with target - mass by site. If cells fill the domain, the targets are scaled to the sum of
+/// the cells' masses, since no other sum can be reached. Rounding then affects only the cells where it arose.
 Misfit misfitOf(const CellMoments& moments, std::span<const double> targets, Surface surface, int threads,
                 std::vector<double>& missing);
 

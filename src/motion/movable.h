@@ -1,12 +1,13 @@
-/// What can be moved, and how well: sites in domains whose energies a double holds.
+/// Checks of input that moves: sites in domains whose energies fit in a double.
 #pragma once
 
 #include "vorpipe.h"
 
 namespace vorpipe::moving {
 
-/// checkInput(), and more: energies are masses times squared lengths, and squares of these are added up. So
-/// sides of the domain are 1e-40 to 1e40, and the largest density is 1e-30 to 1e30. Errors (input).
+/// Makes the checks of checkInput(), and more. Energies are masses times squared lengths, and squares of
+/// energies are summed. So sides of the domain are 1e-40 to 1e40, and the largest density is 1e-30 to 1e30.
+/// Errors (input).
 Result<void> checkMovable(const Sites& sites, const CellsOptions& options, int threads);
 
 /// Which axes repeat.
@@ -15,11 +16,11 @@ struct RepeatingAxes {
 };
 RepeatingAxes repeats(Periodic periodic);
 
-/// Refuses (input) two sites at one place, of which neither can have a mass of its own. Both ends of a period
+/// Refuses (input) two sites at one place, since neither can have a mass of its own. Both ends of a period
 /// are one place; sites are inside of it.
 Result<void> checkPlaces(const Sites& sites, const Box& domain, Periodic periodic);
 
-/// Refuses what is no tolerance: less than 0, or no number (input).
+/// Refuses (input) an invalid tolerance: less than 0, or not a number.
 Result<void> checkTolerance(double tolerance);
 
 }  // namespace vorpipe::moving

@@ -20,11 +20,11 @@
 namespace vorpipe::moving {
 namespace {
 
-/// Weights of an earlier time leave cells at least this part of their masses, or others are better.
+/// Old weights are used only if they leave every cell at least this part of its mass.
 constexpr double least_of_old = 0.02;
-/// A shorter part of a Newton step is not tried.
+/// Shorter parts of a Newton step are not tried.
 constexpr double least_length = 0x1p-30;
-/// From here on a Newton step that gains nothing has met rounding.
+/// Below this misfit, a Newton step that gains nothing is limited by rounding.
 constexpr double near_rounding = 1e-6;
 
 }  // namespace
@@ -45,7 +45,7 @@ struct PrescribedCells::State {
   LaplacianSolver solver{threads};
   std::vector<TransportStep> trace{};
 
-  // Of one time:
+  // Of one solution:
   PrescribedLimits limits{};
   TransportWatcher watcher{};
   Stopwatch watch{};
@@ -72,7 +72,7 @@ struct PrescribedCells::State {
   [[nodiscard]] bool mayMeasure() const { return trace.size() < limits.diagrams && !stopped; }
 };
 
-/// One diagram, which the trace notes. Whether all cells have mass.
+/// Computes one diagram and adds it to the trace. Returns whether all cells have mass.
 Result<bool> PrescribedCells::State::measure(const Sites& sites, TransportStep step, Misfit& now) {
   current = false;
   auto whole = cells.updateUnlessEmpty(sites);
@@ -97,12 +97,12 @@ void PrescribedCells::State::keep(const Sites& sites, const Misfit& now) {
   trace.back().taken = true;
 }
 
-/// Tells the watcher of the last diagram.
+/// Reports the last diagram to the watcher.
 void PrescribedCells::State::tell() {
   if (watcher && !watcher(trace.back())) stopped = true;
 }
 
-/// Whether these weights leave every cell at least that part of its mass. They are kept then.
+/// Returns whether these weights leave every cell at least that part of its mass. If so, keeps them.
 Result<bool> PrescribedCells::State::beginWith(Sites& sites, std::vector<double> weights, double least) {
   sites.weight = std::move(weights);
   Misfit now;
@@ -150,7 +150,7 @@ Result<bool> PrescribedCells::State::begin(Sites& sites) {
 }
 
 /// No Newton step moves mass between parts that no edge joins. This raises the weights of the part that lacks
-/// most, until one of its cells reaches into another part; whether that was done.
+/// most, until one of its cells reaches into another part. Returns whether that succeeded.
 Result<bool> PrescribedCells::State::joinParts(Sites& sites, double enough) {
   massMatrix(cells.neighbors(), cells.edges(), threads, matrix);
   const bool may_be_parts = !options.outline.empty() || !options.density.values.empty();
@@ -171,7 +171,7 @@ Result<bool> PrescribedCells::State::joinParts(Sites& sites, double enough) {
     if (!whole) return whole;
     tell();
     const double lack = *whole ? std::abs(lackOf(part.cells, now_missing)) : part.lack;
-    // Less by this part is no rounding.
+    // A reduction by this factor is not rounding.
     const bool moved = lack < 0.999 * part.lack;
     if (*whole && now.least >= enough && moved) {
       keep(sites, now);
@@ -191,7 +191,7 @@ Result<std::uint64_t> PrescribedCells::State::findWay(Sites& sites, double enoug
   Result<bool> joined = true;
   while (joined && *joined) joined = joinParts(sites, enough);
   if (!joined) return tl::unexpected(std::move(joined.error()));
-  // What was tried last may not be what is kept.
+  // The last trial may not be the one that is kept.
   if (!current) {
     sites.weight = kept;
     Misfit now;
@@ -199,7 +199,8 @@ Result<std::uint64_t> PrescribedCells::State::findWay(Sites& sites, double enoug
     keep(sites, now);
     massMatrix(cells.neighbors(), cells.edges(), threads, matrix);
   }
-  // A system solved to r leaves r of the misfit where the step itself would leave its square.
+  // A system solved to a relative residual r leaves r of the misfit, where the step itself would leave its
+  // square.
   constexpr double coarsest = 1e-3, finest = 1e-9;
   const double tolerance = std::clamp(0.1 * misfit.worst, finest, coarsest);
   auto solved = solver.solve(matrix, missing, tolerance, way);
@@ -207,8 +208,8 @@ Result<std::uint64_t> PrescribedCells::State::findWay(Sites& sites, double enoug
   return solved->iterations;
 }
 
-/// Takes the longest part of the step, half as long each time, that leaves cells enough mass and the misfit
-/// less (Kitagawa, Merigot and Thibert 2019, algorithm 1). Whether there was one.
+/// Takes the longest part of the step, halved each time, that leaves cells enough mass and reduces the misfit
+/// (Kitagawa, Merigot and Thibert 2019, algorithm 1). Returns whether there was one.
 Result<bool> PrescribedCells::State::search(Sites& sites, std::uint64_t newton, double enough,
                                             double& length) {
   const auto iterations = findWay(sites, enough);
@@ -227,7 +228,7 @@ Result<bool> PrescribedCells::State::search(Sites& sites, std::uint64_t newton, 
     if (taken) keep(sites, now);
     tell();
     if (taken) return true;
-    // Near the end a whole step is right; that it gains nothing is rounding.
+    // Near the end a whole step is right; if it gains nothing, rounding is the cause.
     if (*whole && length == 1 && misfit.worst < near_rounding) {
       if (now.worst < misfit.worst) keep(sites, now);
       return false;
@@ -237,7 +238,7 @@ Result<bool> PrescribedCells::State::search(Sites& sites, std::uint64_t newton, 
   return false;
 }
 
-/// The part of the first Newton step that is tried first: masses that are far off take a short one.
+/// Returns the part of the first Newton step to try first: short if masses are far off.
 double PrescribedCells::State::firstLength() const {
   const double sum = carefulSum(masses.size(), threads, [&](std::size_t i) { return masses[i] * masses[i]; });
   const double off = misfit.norm / std::sqrt(sum);
@@ -254,7 +255,7 @@ Result<TransportEnd> PrescribedCells::State::iterate(Sites& sites) {
     const auto stepped = search(sites, newton, enough, length);
     if (!stepped) return tl::unexpected(stepped.error());
     if (*stepped) {
-      // What had to be halved would have to be halved again at once.
+      // After a halving, doubling would only be undone at once.
       if (length == tried) length = std::min(1.0, 2 * length);
       continue;
     }

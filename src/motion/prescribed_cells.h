@@ -1,4 +1,4 @@
-/// Cells of prescribed masses around sites that may move from one time to the next.
+/// Cells of prescribed masses around sites that may move between solutions.
 #pragma once
 
 #include <memory>
@@ -8,32 +8,32 @@
 
 namespace vorpipe::moving {
 
-/// What is asked of one time; `diagrams` and `tolerance` as in TransportOptions.
+/// Limits of one solution; `diagrams` and `tolerance` as in TransportOptions.
 struct PrescribedLimits {
   double tolerance = 1e-8;
   std::uint64_t diagrams = 400;
 };
 
-/// Memory and the linear solver stay from one time to the next. The session outlives this.
+/// Keeps memory and the linear solver between solutions. The session outlives this.
 class PrescribedCells {
  public:
-  /// `masses` are by site, and what TransportOptions says of them holds.
+  /// `masses` are by site, with the same conditions as in TransportOptions.
   PrescribedCells(Session& session, const CellsOptions& options, Surface surface, std::vector<double> masses);
   PrescribedCells(PrescribedCells&&) noexcept;
   PrescribedCells& operator=(PrescribedCells&&) noexcept;
   ~PrescribedCells();
 
-  /// Finds the weights of `sites`, which are best in memoryOrder(). It begins with the weights that they come
-  /// with, where they have any and these leave every cell some of its mass. They end with the weights that
-  /// were found, whatever the end says. Errors: those of Session::cells; two sites at one place.
+  /// Finds the weights of `sites`, which are best in memoryOrder(). Starts with the present weights of
+  /// `sites`, if there are any and they leave every cell some of its mass. Afterwards `sites` have the
+  /// weights found, whatever the returned end. Errors: those of Session::cells; two sites at one place.
   Result<TransportEnd> solve(Sites& sites, const PrescribedLimits& limits,
                              const TransportWatcher& watcher = {});
 
-  /// Whether cells() are those of the weights that solve() left: not if progress stopped it in a diagram.
+  /// Whether cells() are those of the weights from solve(): false if progress stopped it during a diagram.
   [[nodiscard]] bool areMeasured() const;
-  /// The cells of the sites and weights that solve() left.
+  /// Returns the cells of the sites and weights from the last solve().
   [[nodiscard]] const MovingCells& cells() const;
-  /// Each diagram of the last solve().
+  /// Returns each diagram of the last solve().
   [[nodiscard]] const std::vector<TransportStep>& trace() const;
 
  private:

@@ -11,7 +11,7 @@ namespace {
 
 constexpr std::size_t most = QuasiNewton::memory;
 
-/// Four sums beside each other, which a compiler may do at once.
+/// Four independent sums, which a compiler may vectorize.
 double dot(const double* a, const double* b, std::size_t count) {
   std::array<double, 4> sum{};
   std::size_t i = 0;
@@ -24,8 +24,8 @@ double dot(const double* a, const double* b, std::size_t count) {
 
 }  // namespace
 
-/// All products that the two loops of the method need, so that they run over numbers instead of vectors: each
-/// vector is read once.
+/// All products that the two loops of the method need. The loops then run over numbers instead of vectors,
+/// and each vector is read only once.
 struct QuasiNewton::Products {
   std::array<double, most> step_gradient{};             ///< s_i . g
   std::array<double, most> change_gradient{};           ///< y_i . D g

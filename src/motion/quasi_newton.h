@@ -1,4 +1,5 @@
-/// Directions of the quasi-Newton method L-BFGS (Nocedal 1980), as Liu et al. 2009 use it for relaxation.
+/// Search directions of the quasi-Newton method L-BFGS (Nocedal 1980), used for relaxation as in Liu et al.
+/// 2009.
 #pragma once
 
 #include <cstddef>
@@ -7,21 +8,21 @@
 
 namespace vorpipe::moving {
 
-/// The last few steps, and how the gradient changed in them. All vectors are as long as the first one.
+/// Keeps the last few steps and their changes of the gradient. All vectors are as long as the first one.
 class QuasiNewton {
  public:
-  /// How many steps are kept: 20 gained nothing over 7.
+  /// Number of steps kept: 20 gained nothing over 7.
   static constexpr std::size_t memory = 7;
 
   explicit QuasiNewton(int threads) : threads_(threads) {}
 
-  /// Keeps a step and the change of the gradient in it, where the energy curves upward along it.
+  /// Keeps a step and its change of the gradient, if the energy curves upward along the step.
   void add(std::vector<double> step, std::vector<double> change);
   void clear() { pairs_.clear(); }
   [[nodiscard]] bool empty() const { return pairs_.empty(); }
 
-  /// Replaces `direction` by that of descent. `inverse` is the diagonal of the inverse Hessian's first guess;
-  /// without pairs the direction is minus `inverse` times `gradient`.
+  /// Sets `direction` to the descent direction. `inverse` is the diagonal of the initial inverse Hessian.
+  /// Without pairs the direction is minus `inverse` times `gradient`.
   void direction(const std::vector<double>& gradient, const std::vector<double>& inverse,
                  std::vector<double>& direction) const;
 

@@ -25,13 +25,13 @@ using namespace moving;
 
 namespace {
 
-/// Along a way of descent energy must fall by this part of what its slope promises (Armijo).
+/// Along a descent direction energy must fall by this part of what its slope predicts (Armijo).
 constexpr double enough_fall = 1e-4;
-/// Energies that differ by less than this part of their terms are equal, for all that is known.
+/// Energies that differ by less than this part of their terms count as equal.
 constexpr double energy_rounding = 1e-15;
 /// Shorter steps are not tried.
 constexpr double least_step = 0x1p-12;
-/// Diagrams in a row without a gain, after which a relaxation ends.
+/// Number of consecutive diagrams without a gain after which a relaxation ends.
 constexpr int most_idle = 20;
 
 CellsOptions cellsOptions(const RelaxOptions& options) {
@@ -45,7 +45,7 @@ CellsOptions cellsOptions(const RelaxOptions& options) {
   return cells;
 }
 
-/// How many of the diagrams are left to make masses equal.
+/// Returns the number of diagrams reserved for making masses equal.
 std::uint64_t lastDiagrams(const RelaxOptions& options) {
   constexpr std::uint64_t most = 12;
   const bool wanted = options.equal_masses && !options.density.values.empty();
@@ -72,8 +72,8 @@ struct Relaxation::State {
   double lattice = 0;  ///< energy of the hexagonal lattice, times its number of cells
 
   std::vector<std::uint32_t> order{};  ///< of `sites`: see memoryOrder()
-  Sites sites;                         ///< that are the result so far
-  Sites callers{};                     ///< the same in the caller's order, once they were asked for
+  Sites sites;                         ///< the result so far
+  Sites callers{};                     ///< the same in the caller's order, updated on request
   bool callers_are_old = true;
   MeasuredSites at{};
   std::vector<RelaxStep> trace{};
@@ -81,13 +81,13 @@ struct Relaxation::State {
   bool ended = false;
   Report report{};
   std::string equal_note{};
-  LostSites lost{};  ///< all that were given places so far
+  LostSites lost{};  ///< all sites that were given places so far
 
   QuasiNewton newton{threads};
   std::vector<double> direction{};
-  double step = 0;        ///< of the direction that is next; 0: a new direction is to be found
+  double step = 0;        ///< of the next direction; 0: find a new direction
   bool steepest = false;  ///< the direction is that of Lloyd's step
-  bool current = false;   ///< the moments are those of `sites`, not of a step that was taken back
+  bool current = false;   ///< the moments are those of `sites`, not of a rejected step
   double least_energy = std::numeric_limits<double>::infinity(), least_way = least_energy;
   int idle = 0;
 
@@ -104,7 +104,7 @@ struct Relaxation::State {
   [[nodiscard]] bool isAtRest();
 };
 
-/// Computes the diagram of sites that stand in `where`, and notes it.
+/// Computes the diagram of the sites `where`, and records it.
 Result<MeasuredSites> Relaxation::State::measure(const Sites& where) {
   VORPIPE_TRY(cells.update(where));
   MeasuredSites measured = measureSites(where, cells.moments(), allowed, threads);
@@ -113,7 +113,7 @@ Result<MeasuredSites> Relaxation::State::measure(const Sites& where) {
   if (lattice == 0) lattice = latticeEnergy(measured.area);
   RelaxStep step_done{trace.size()};
   step_done.energy = measured.energy;
-  // What a lattice would have depends on the weights.
+  // The energy of a lattice depends on the weights.
   step_done.hexagonal = where.weight.empty() ? measured.energy * count / lattice : std::nan("");
   step_done.farthest = measured.farthest / std::sqrt(measured.area / count);
   step_done.seconds = watch.seconds();
@@ -128,13 +128,13 @@ void Relaxation::State::keep(Sites where, MeasuredSites measured) {
   callers_are_old = true;
 }
 
-/// The sites as the domain takes them.
+/// Returns the sites as placed in the domain.
 Result<Sites> Relaxation::State::placed(Sites where) const {
   if (options.periodic == Periodic::none) return where;
   return wrapped(where, options.domain, options.periodic, threads);
 }
 
-/// The sites moved along the direction, and not out of the domain.
+/// Returns the sites moved along the direction, but not out of the domain.
 Result<Sites> Relaxation::State::moved(double length) const {
   const std::size_t count = sites.size();
   Sites where = sites;
@@ -147,8 +147,8 @@ Result<Sites> Relaxation::State::moved(double length) const {
   return placed(std::move(where));
 }
 
-/// Whether nothing is left to gain but rounding: the last sites did not move, or neither energy nor what is
-/// left of their ways has become less for long.
+/// Whether only rounding is left to gain: the sites last did not move, or for long neither energy nor the
+/// remaining distances have decreased.
 bool Relaxation::State::isAtRest() {
   const Box& box = options.domain;
   const double reach =
@@ -162,7 +162,8 @@ bool Relaxation::State::isAtRest() {
   return idle >= most_idle;
 }
 
-/// The direction of the next step. One that would lead a site out of the domain leads it where Lloyd's does.
+/// Finds the direction of the next step. A site that it would move out of the domain takes Lloyd's step
+/// instead.
 void Relaxation::State::findDirection() {
   const std::size_t count = sites.size();
   step = 1;
@@ -184,7 +185,7 @@ void Relaxation::State::findDirection() {
   direction = at.way;
 }
 
-/// A step of Lloyd's that also gives places to sites which own nothing.
+/// Makes a Lloyd step that also gives places to sites with empty or massless cells.
 Result<bool> Relaxation::State::moveLost() {
   direction = at.way;
   auto where = moved(1);
@@ -198,7 +199,7 @@ Result<bool> Relaxation::State::moveLost() {
   if (!measured) return tl::unexpected(std::move(measured.error()));
   lost.duplicates += now.duplicates;
   lost.outside += now.outside;
-  // The same ones again and again, where there is little mass.
+  // Where there is little mass, the same sites recur.
   lost.massless = std::max(lost.massless, now.massless);
   keep(std::move(*places), std::move(*measured));
   newton.clear();
@@ -206,7 +207,8 @@ Result<bool> Relaxation::State::moveLost() {
   return true;
 }
 
-/// One diagram of a line search. Whether a shorter step, or another direction, is left to be tried.
+/// Computes one diagram of a line search. Returns whether a shorter step, or another direction, is left to
+/// try.
 Result<bool> Relaxation::State::tryStep() {
   if (step == 0) findDirection();
   const std::size_t count = sites.size();
@@ -264,7 +266,7 @@ Result<bool> Relaxation::State::advance() {
   return stop(RelaxEnd::cancelled);
 }
 
-/// Makes masses equal in the end.
+/// Makes masses equal at the end.
 Result<void> Relaxation::State::equalize() {
   const std::uint64_t most = lastDiagrams(options);
   if (most < 2 || end == RelaxEnd::cancelled) return {};
@@ -305,7 +307,7 @@ Result<Relaxation> Relaxation::begin(Session& session, Sites sites, RelaxOptions
   Relaxation relaxation;
   relaxation.state_ = std::make_unique<State>(session, std::move(options), std::move(sites));
   State& state = *relaxation.state_;
-  // Along periodic axes places are rounded; sites that do not move stay where the caller has them.
+  // Along periodic axes places are rounded; sites that do not move keep the caller's places.
   const bool repeats = state.options.periodic != Periodic::none;
   Sites given = repeats ? state.sites : Sites{};
   auto places = state.placed(std::move(state.sites));
@@ -319,7 +321,7 @@ Result<Relaxation> Relaxation::begin(Session& session, Sites sites, RelaxOptions
   Sites ordered = inOrder(*places, state.order);
   auto measured = state.measure(ordered);
   if (!measured && measured.error().code == ErrorCode::input) {
-    // What is wrong is told of the caller's sites by their numbers.
+    // Errors must name the caller's sites by their numbers.
     VORPIPE_TRY(state.cells.update(*places));
   }
   if (!measured) return tl::unexpected(std::move(measured.error()));
@@ -329,7 +331,7 @@ Result<Relaxation> Relaxation::begin(Session& session, Sites sites, RelaxOptions
   return relaxation;
 }
 
-/// A step that failed has not been: the next one begins anew, from the same sites.
+/// Undoes a failed step: the next one begins anew, from the same sites.
 void Relaxation::State::takeBack(std::size_t diagrams) {
   trace.resize(diagrams);
   newton.clear();

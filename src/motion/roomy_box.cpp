@@ -34,11 +34,12 @@ class Samples {
     return density.values[pixel] > 0;
   }
 
-  /// The box from the middle of the sample at (column, row) to that `side` - 1 columns and rows before it.
+  /// Returns the box from the middle of the sample at (column, row) to the middle of that `side` - 1 columns
+  /// and rows before it.
   [[nodiscard]] Box endingAt(int column, int row, int side) const {
     const Box& box = options_.domain;
     const double width = (box.xmax - box.xmin) / samples, height = (box.ymax - box.ymin) / samples;
-    // Of one sample, a part of its own box.
+    // For a single sample, a part of its own box.
     const double before = side > 1 ? side - 1 : 0.25, after = side > 1 ? 0 : 0.25;
     return {box.xmin + (column + 0.5 - before) * width, box.ymin + (row + 0.5 - before) * height,
             box.xmin + (column + 0.5 + after) * width, box.ymin + (row + 0.5 + after) * height};
@@ -53,7 +54,7 @@ class Samples {
 
 Box roomyBox(const CellsOptions& options) {
   const Samples all(options);
-  // sides[c]: of the largest square of samples with mass that ends at column c and the row at hand.
+  // sides[c]: side of the largest square of samples with mass that ends at column c and the current row.
   std::vector<int> sides(samples), above(samples);
   int best = 0;
   Box found = options.domain;

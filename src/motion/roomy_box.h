@@ -5,8 +5,8 @@
 
 namespace vorpipe::moving {
 
-/// About the largest box with the domain's proportions that lies in the outline and where the density is
-/// above 0, as samples tell: those of 128 rows and columns. The domain itself where none is found.
+/// Returns about the largest box with the domain's proportions that lies in the outline and has a density
+/// above 0. It is found from samples in 128 rows and columns. Returns the domain itself if there is none.
 Box roomyBox(const CellsOptions& options);
 
 }  // namespace vorpipe::moving

@@ -14,8 +14,8 @@ namespace {
 /// Epsilon times the usual speed, in spacings; decision D129.
 double softnessOf(Surface surface) { return surface == Surface::free ? 3 : 2; }
 
-/// Springs that are so many times softer or stiffer than by default are not what a speed goes with: a vortex
-/// then has errors as large as its velocity.
+/// Springs this many times softer or stiffer than by default do not suit a speed: a vortex then has errors as
+/// large as its velocity.
 constexpr double far_off = 5;
 
 double fastestOf(const std::vector<Point>& velocity) {
@@ -24,7 +24,7 @@ double fastestOf(const std::vector<Point>& velocity) {
   return std::sqrt(fastest);
 }
 
-/// Sites that lie more than a spacing beyond the domain, along axes that do not repeat.
+/// Returns a note on sites more than a spacing beyond the domain, along axes that do not repeat.
 std::string farBeyond(const FluidState& state, const FluidOptions& options) {
   const Box& box = options.domain;
   const double spacing = meanSpacing(state.volume);

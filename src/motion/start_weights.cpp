@@ -21,11 +21,11 @@ Interval intervalOf(const std::vector<double>& values) {
   return {*low, *high};
 }
 
-/// Adds what one axis adds to the weights: with z the coordinate from the middle of `to`, and s(z - m) the
-/// place it is to have there, the weight is z^2 less twice the integral of that place.
+/// Adds the contribution of one axis to the weights. With z the coordinate from the middle of `to`, and s(z -
+/// m) its target place there, the weight is z^2 minus twice the integral of that place.
 void addAxis(const std::vector<double>& coordinates, Interval to, std::vector<double>& weights) {
   const Interval from = intervalOf(coordinates);
-  // Places at the wall would leave those sites a line of no area, were it not for their neighbors.
+  // Places at the wall would leave those sites a line of no area, if they had no neighbors.
   constexpr double inside = 0.999;
   const double scale = from.length() > 0 ? inside * to.length() / from.length() : 1;
   for (std::size_t i = 0; i < coordinates.size(); ++i) {

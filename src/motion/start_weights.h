@@ -1,4 +1,4 @@
-/// Weights with which every cell has some of its mass, to begin with.
+/// Initial weights with which every cell has some of its mass.
 #pragma once
 
 #include <span>
@@ -8,21 +8,22 @@
 
 namespace vorpipe::moving {
 
-/// Weights for which the point of `into` that lies as the site does in the box of all sites belongs to the
-/// site's cell, so that no cell is empty, wherever the sites are (Meyron 2019, section 3.3: the weights of a
-/// convex function's gradient). Sites on one line, or all at one place, stay as they are across it.
-/// Along an axis that repeats, cells are where the sites are as they stand, and sites stay as they are too.
+/// Maps the box of all sites to `into`, and returns weights for which each site's image lies in its cell. So
+/// no cell is empty, wherever the sites are (Meyron 2019, section 3.3: the weights of a convex function's
+/// gradient). Sites on one line, or all at one place, are only shifted across it, not scaled. Along a
+/// periodic axis nothing is mapped, since cells already lie at their sites.
 std::vector<double> spreadWeights(const Sites& sites, const Box& into, Periodic periodic);
 
-/// Whether the box of all sites is about that of the domain: then equal weights are a better start.
-/// Axes that repeat are full.
+/// Whether the box of all sites is about as large as the domain: then equal weights are a better start.
+/// Periodic axes count as full.
 bool fillDomain(const Sites& sites, const Box& domain, Periodic periodic);
 
-/// Takes their mean from all, which changes no cell, but for a free surface's. Newton steps have the mean 0.
-/// To center what they led to would round the least weights off, after they were measured.
+/// Subtracts the mean from all weights. This changes no cells, except those of a free surface. Newton steps
+/// have the mean 0. Centering the weights after them would round the smallest weights off, after they were
+/// measured.
 void centerWeights(std::vector<double>& weights, int threads);
 
-/// Weights of discs that have the masses where no two of them meet.
+/// Returns the weights of discs with these masses as areas, right where no two discs meet.
 std::vector<double> discWeights(std::span<const double> masses);
 
 }  // namespace vorpipe::moving

@@ -17,10 +17,10 @@ namespace {
 
 using Random = std::mt19937_64;
 
-/// In [0, 1), a multiple of 2^-53.
+/// Random number in [0, 1), a multiple of 2^-53.
 double uniform(Random& random) { return static_cast<double>(random() >> 11) * 0x1p-53; }
 
-/// The pixels of an image in the order of Hilbert's curve through a square that holds it.
+/// Returns the pixels of an image in the order of a Hilbert curve through a square that holds it.
 std::vector<std::uint32_t> alongCurve(int width, int height) {
   const auto side = std::bit_ceil(static_cast<std::uint32_t>(std::max(width, height)));
   std::vector<std::uint32_t> pixels;
@@ -48,7 +48,7 @@ std::vector<std::uint32_t> alongCurve(int width, int height) {
   return pixels;
 }
 
-/// Pixels along one side of a domain, as far as they lie in it; counted from the left, or from the top.
+/// Pixels along one side of a domain, clipped to it; counted from the left, or from the top.
 class Side {
  public:
   Side(double pixels_begin, double pixels_end, int count, double begin, double end) {
@@ -56,7 +56,7 @@ class Side {
     first_ = (begin - pixels_begin) / size;
     last_ = (end - pixels_begin) / size;
   }
-  /// From where to where a pixel lies in the domain, in pixels.
+  /// Returns the range of a pixel inside the domain, in pixels.
   [[nodiscard]] std::pair<double, double> within(std::uint32_t pixel) const {
     return {std::max<double>(pixel, first_), std::min<double>(pixel + 1.0, last_)};
   }
@@ -90,7 +90,7 @@ class Draw {
 
   [[nodiscard]] double mass() const { return sums_.back(); }
 
-  /// A place in the pixel where the curve has passed this part of the mass.
+  /// Returns a place in the pixel where the curve has passed this part of the mass.
   [[nodiscard]] Point at(double part, Random& random) const {
     const auto found = std::ranges::upper_bound(sums_, part * mass());
     const auto last = std::ranges::lower_bound(sums_, mass());
@@ -108,12 +108,12 @@ class Draw {
  private:
   const Density& density_;
   Box box_;                            ///< of the pixels
-  std::optional<Side> across_, down_;  ///< where pixels have a place of their own
+  std::optional<Side> across_, down_;  ///< if the density has its own box
   std::vector<std::uint32_t> pixels_;
   std::vector<double> sums_;
 };
 
-/// Refuses what no run over sites that are drawn would take.
+/// Refuses a density that no run over the drawn sites would accept.
 Result<void> checkDensityOver(const Box& domain, const Density& density) {
   CellsOptions options;
   options.domain = domain;
@@ -133,7 +133,7 @@ Result<Sites> drawnFrom(const Density& density, const Box& domain, const Outline
   const moving::AllowedPlaces allowed(domain, outline, Periodic::none);
   Random random(seed);
   Sites sites;
-  // Where an outline leaves this little of the mass, it leaves nothing for all that can be found out.
+  // An outline that leaves so little of the mass is treated as leaving none.
   constexpr std::uint64_t most_tries = 10000;
   for (std::uint64_t k = 0; k < count; ++k) {
     const double first = static_cast<double>(k) + uniform(random);

@@ -81,7 +81,7 @@ Result<Transported> transport(Session& session, Sites sites, const TransportOpti
     done.cost = costOf(at, moments, session.threads());
     done.cells = back(order, moments);
   }
-  // Along periodic axes places are rounded; sites stay where the caller has them.
+  // Along periodic axes places are rounded; sites keep the caller's places.
   done.sites = std::move(options.periodic == Periodic::none ? *places : sites);
   done.sites.weight = back(order, at.weight);
   return done;

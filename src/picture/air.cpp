@@ -11,10 +11,10 @@
 namespace vorpipe {
 namespace {
 
-/// Rows that one thread takes at a time.
+/// Number of rows that one thread processes at a time.
 constexpr std::size_t air_grain = 16;
 
-/// Where pixels are, and how much of them is not air.
+/// Maps pixels to the domain, and measures which part of each is not air.
 class PixelsOfDiscs {
  public:
   PixelsOfDiscs(const Sites& sites, const RenderOptions& options)
@@ -24,12 +24,12 @@ class PixelsOfDiscs {
         width_((box_.xmax - box_.xmin) / frame_.width),
         height_((box_.ymax - box_.ymin) / frame_.height) {}
 
-  /// Whether the middle of a pixel lies in the disc of a site.
+  /// Whether the center of a pixel lies in the disc of a site.
   [[nodiscard]] bool has(std::uint32_t site, int row, int column) const {
     return holds(site, column + 0.5, row + 0.5);
   }
 
-  /// The part of the places of a pixel, in as many rows and columns, that do.
+  /// Returns the share of a pixel's places, in as many rows and columns, that lie in the disc.
   [[nodiscard]] double partOf(std::uint32_t site, int row, int column, int places) const {
     int held = 0;
     for (int k = 0; k < places * places; ++k) {
@@ -58,7 +58,7 @@ Result<void> refuseWhatIsOverAir(const RenderOptions& options) {
         refusal(Subject::none, std::string("a picture with a free surface takes no ") + what + " yet"));
   };
   if (options.periodic != Periodic::none) return refused("period");
-  // Their values would be those of the cells before air was taken from them.
+  // Their values would be those of the cells before the removal of air.
   if (options.color == ColorBy::area || options.color == ColorBy::neighbors) {
     return refused("colors by area or neighbors");
   }
@@ -69,13 +69,13 @@ Result<void> refuseWhatIsOverAir(const RenderOptions& options) {
   return {};
 }
 
-/// A color that covers a part of its pixel.
+/// Returns a color that covers a part of its pixel.
 std::uint32_t partly(std::uint32_t rgba, double part) {
   const auto alpha = static_cast<std::uint32_t>(std::lround((rgba >> 24) * part));
   return alpha == 0 ? 0 : (rgba & 0xFFFFFFu) | alpha << 24;
 }
 
-/// A color that covers a part of a white pixel.
+/// Returns a color that covers a part of a white pixel.
 std::uint32_t overWhite(std::uint32_t rgba, double part) {
   constexpr double most = 255;
   const double over = part * (rgba >> 24) / most;
@@ -87,8 +87,8 @@ std::uint32_t overWhite(std::uint32_t rgba, double part) {
   return mixed;
 }
 
-/// `air` gets the color of each pixel some of which is air, and the part of it that is not; it loses its site
-/// where its middle is air.
+/// Calls `air` for each pixel that is partly air, with its color and the part that is not air. A pixel loses
+/// its site if its center is air.
 template <class Air>
 void forAir(const Sites& sites, const RenderOptions& options, Image& image, int threads, const Air& air) {
   const PixelsOfDiscs pixels(sites, options);

@@ -14,8 +14,8 @@ namespace {
 
 constexpr std::size_t batch_drawing_grain = std::size_t{1} << 14;
 
-/// Has the lists of a batch end where a cell would reach so far that floats might lose more of it than is
-/// allowed: it comes out unsecured, unless it is smaller.
+/// Limits the reach of a batch's cells so that float rounding loses no more than is allowed. A cell that is
+/// not smaller becomes unsecured.
 void boundReach(double allowed, int threads, CellBatch<float>& batch) {
   const auto most = static_cast<float>(2 * allowed / reach_rounding);
   for (auto& entry : batch.entries) entry.reach = std::min(entry.reach, most);

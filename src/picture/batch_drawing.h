@@ -10,9 +10,9 @@ class BatchDrawing {
  public:
   explicit BatchDrawing(const Canvas& canvas) : canvas_(canvas) {}
 
-  /// Draws every entry of `candidates`, in as many batches as the device wants. Returns the status of each:
-  /// `missing` for a list that is longer than a batch; `unsecured` as well for a cell
-  /// that is so large that floats might lose more of it than shows.
+  /// Draws every entry of `candidates`, in as many batches as the device needs. Returns the status of each
+  /// entry: `missing` for a list that is longer than a batch. Also `unsecured` for a cell so large that float
+  /// rounding might visibly change it.
   Result<std::vector<CellStatus>> draw(const View& view, const Candidates& candidates, Effort effort);
 
   [[nodiscard]] double seconds() const { return seconds_; }

@@ -1,4 +1,4 @@
-/// One color over another in a picture.
+/// Blends one color over another in a picture.
 #pragma once
 
 #include <algorithm>
@@ -14,8 +14,8 @@ inline std::size_t pixelAt(const Image& image, int row, int column) {
          static_cast<std::size_t>(column);
 }
 
-/// Puts a color, which may be translucent, over a pixel, of which it covers a part; nothing happens beyond
-/// the picture. Alpha is not premultiplied.
+/// Blends a color, which may be translucent, over a pixel of which it covers a part. Does nothing beyond the
+/// picture. Alpha is not premultiplied.
 inline void blend(Image& image, int row, int column, std::uint32_t color, double part) {
   if (!(part > 0) || row < 0 || row >= image.height || column < 0 || column >= image.width) return;
   constexpr double most = 255;

@@ -1,4 +1,4 @@
-/// What a drawing works with.
+/// The context of a drawing.
 #pragma once
 
 #include "backend/backend.h"

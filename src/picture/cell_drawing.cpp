@@ -10,10 +10,11 @@
 namespace vorpipe::core {
 namespace {
 
-/// Fewer cells than this are clipped with room from the start: that costs less than a second pipeline.
+/// Fewer cells than this are clipped in the roomy pipeline from the start: that costs less than a second
+/// pipeline.
 constexpr std::size_t worth_fast_pipeline = std::size_t{1} << 15;
 
-/// What a fast pipeline does not draw, a roomy one may; what has no shape is for the judge to say.
+/// A roomy pipeline may draw what a fast one does not; the judge decides on cells without a shape.
 void askForRoom(Effort effort, std::span<CellStatus> status) {
   for (auto& each : status) {
     if (each == CellStatus::certified) continue;
@@ -21,7 +22,7 @@ void askForRoom(Effort effort, std::span<CellStatus> status) {
   }
 }
 
-/// The same, but that more candidates may help.
+/// The same, except that more candidates may help.
 void askForCandidates(Effort effort, std::span<CellStatus> status) {
   for (auto& each : status) {
     if (each == CellStatus::certified || each == CellStatus::unsecured) continue;
@@ -60,8 +61,8 @@ CellDrawing::CellDrawing(const SearchInput& input, std::span<const std::uint8_t>
   }
 }
 
-/// Shares the cells out between the device and the judge. A device that draws no triangles is asked about
-/// cells for their statuses alone.
+/// Divides the cells between the device and the judge. A device that draws no triangles only finds the cells'
+/// statuses.
 void CellDrawing::choose() {
   if (!before_.triage) before_.triage = sortOut(input_.sites, input_.threads);
   const Triage& all = *before_.triage;
@@ -91,7 +92,7 @@ Result<void> CellDrawing::draw(const View& view) {
   return giveAll();
 }
 
-/// Has the device find and draw what it can.
+/// Lets the device find and draw what it can.
 Result<void> CellDrawing::climb(const View& view) {
   const auto by_grid = [&](const Tile&, auto which, Effort effort, auto status) -> Result<void> {
     const Stopwatch watch;
@@ -117,7 +118,7 @@ Result<void> CellDrawing::findStatuses() {
   return before_.known ? Result<void>{} : judge(before_.triage->outside);
 }
 
-/// Finds those of these cells that the judge has not found yet.
+/// Finds the cells among these that the judge has not found yet.
 Result<void> CellDrawing::judge(std::span<const std::uint32_t> which) {
   if (which.empty()) return {};
   auto& rows = before_.judged;
@@ -141,8 +142,8 @@ Result<void> CellDrawing::read(const View& view, std::span<std::uint32_t> rgba,
   return {};
 }
 
-/// Whatever the search, a backend may look at all sites when it begins or finishes a picture; but not for
-/// triangles alone.
+/// With any search, a backend may use all sites when it begins or finishes a picture, except for triangles
+/// alone.
 Result<void> CellDrawing::giveAll() {
   if (before_.known && input_.backend.info().has_vertices) return {};
   return fits(input_.sites, input_.backend.info()) ? upload_.give({input_.sites, {}, {}}) : Result<void>{};

@@ -10,29 +10,29 @@
 
 namespace vorpipe::core {
 
-/// What drawings of the same set find out, and the next one need not: it says nothing of what they showed.
-/// Which cell is drawn in which way depends on the drawing alone, so that no pixel depends on those before.
+/// Results of a drawing that later drawings of the same set reuse. They say nothing of what those drawings
+/// showed. Which cell is drawn in which way depends on the drawing alone, so no pixel depends on earlier
+/// drawings.
 struct DrawnBefore {
-  /// All cells, by index in the set, where they were known before anything was drawn.
+  /// All cells, by index in the set, if they were known before any drawing.
   std::optional<NeighborRows> known{};
   std::optional<Triage> triage{};
-  std::optional<NeighborRows> judged{};  ///< what the judge found, by index in the set; `missing`: not asked
+  std::optional<NeighborRows> judged{};  ///< results of the judge, by index in the set; `missing`: not asked
   std::vector<CellStatus> status{};      ///< certified or empty, by index in the set
   HeldSites held{};
-  bool done = false;  ///< a drawing of all cells came to its end
+  bool done = false;  ///< a drawing of all cells has finished
 };
 
-/// What is to be drawn.
+/// Selects what to draw.
 struct WhatToDraw {
-  /// The only sites, ascending, whose cells show; all if there are none. Every other site inside the domain
-  /// has a cell, since it lies in it itself.
+  /// The sites, ascending, whose cells show; all sites if not set. Every other site inside the domain also
+  /// has a cell, since it lies in it.
   std::optional<std::vector<std::uint32_t>> shown{};
-  bool by_device = true;  ///< floats can tell the view's pixels apart
+  bool by_device = true;  ///< floats can distinguish the view's pixels
 };
 
-/// Cells that are known already are drawn as polygons. Else the device finds and draws what it can; the judge
-/// finds the rest, and then these are known. Cells are drawn in an order that depends on nothing but the
-/// sites.
+/// Draws known cells as polygons. Otherwise the device finds and draws what it can. The judge finds the rest,
+/// which are then drawn as known cells. The order of drawing depends only on the sites.
 class CellDrawing {
  public:
   /// `palette_index` is by index in the set; all of it outlives this.
@@ -42,14 +42,14 @@ class CellDrawing {
   /// Begins a picture on the backend and draws the cells into it.
   Result<void> draw(const View& view);
 
-  /// Reads the picture of the view that was drawn last. A pixel that no cell covers, or that a device says is
-  /// of a site without one, has no_site and color 0.
+  /// Reads the picture of the last view. A pixel gets no_site and color 0 if no cell covers it, or if the
+  /// device assigns it to a site without a cell.
   Result<void> read(const View& view, std::span<std::uint32_t> rgba, std::span<std::uint32_t> ids);
 
-  /// Finds out which sites have cells where no view is drawn.
+  /// Finds which sites have cells, if no view is drawn.
   Result<void> findStatuses();
 
-  /// Adds how many cells took which way, and the times.
+  /// Adds the number of cells per method, and the times.
   void describe(Report& report) const;
 
  private:
@@ -65,13 +65,13 @@ class CellDrawing {
   CellLadder ladder_;
   BatchDrawing batches_;
   PolygonDrawing polygons_;
-  std::vector<std::uint32_t> as_polygons_;  ///< the cells that are not the device's
+  std::vector<std::uint32_t> as_polygons_;  ///< the cells that the device does not find
   PixelCheck pixels_;
   double grid_seconds_ = 0;
 };
 
-/// Whether floats tell the pixels of a view apart, seen from the center of a domain whose longer side is 1 to
-/// 2: devices hold places to 48 binary digits.
+/// Whether floats can distinguish the pixels of a view, relative to the center of a domain whose longer side
+/// is 1 to 2. Devices store places with 48 binary digits.
 bool isForDevices(const View& view);
 
 }  // namespace vorpipe::core

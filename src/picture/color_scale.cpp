@@ -15,10 +15,11 @@ namespace {
 
 constexpr std::size_t last_color = 255;
 
-/// What rounding leaves of equal values, and `transport`, which ends at 1e-8; no eye sees it.
+/// Relative difference of equal values due to rounding and to `transport`, which ends at 1e-8; it is
+/// invisible.
 constexpr double same_part = 1e-7;
 
-/// Whether a value is one with a lesser one.
+/// Whether a value counts as equal to a smaller one.
 bool isOne(double least, double value) {
   return value - least <= same_part * std::max(std::abs(least), std::abs(value));
 }
@@ -50,7 +51,8 @@ Result<void> checkRange(const ColorRange& range, ColorScale scale) {
   return {};
 }
 
-/// Where `at` lies from `low` to `high`; halves, since the difference of large numbers is infinite.
+/// Returns the position of `at` between `low` and `high`, in halves, since the difference of large numbers is
+/// infinite.
 double fractionOf(double at, double low, double high) {
   const double whole = high / 2 - low / 2;
   if (!(whole > 0)) return at < low ? 0 : at > high ? 1 : 0.5;
@@ -97,8 +99,8 @@ Result<ColorPlaces> ColorPlaces::of(const Coloring& coloring, std::vector<double
   return places;
 }
 
-/// Each value becomes the least that it is one with. These are one with no other least, so that nothing is
-/// drawn along a row of values of which each is near to the next.
+/// Replaces each value by the least one that it counts as equal to. Least values are not equal to each other,
+/// so that a chain of values near each other does not merge into one.
 void ColorPlaces::joinRanked() {
   double least = ranked_.empty() ? 0 : ranked_.front();
   for (double& value : ranked_) {

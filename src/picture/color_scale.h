@@ -1,4 +1,4 @@
-/// How values of sites become places along the colors.
+/// Maps values of sites to places along the colors.
 #pragma once
 
 #include <cstdint>
@@ -9,26 +9,26 @@
 
 namespace vorpipe::core {
 
-/// What colors stand for, as RenderOptions have it.
+/// The meaning of colors, as in RenderOptions.
 struct Coloring {
   ColorBy color;  ///< not by site
   ColorScale scale;
   std::optional<ColorRange> range;
 };
 
-/// The places along the colors, from 0 to 1, of values. Values that differ by rounding alone, 1e-7 of
-/// their size, are one.
+/// Maps values to places along the colors, from 0 to 1. Values that differ only by rounding, 1e-7 of their
+/// size, count as one.
 class ColorPlaces {
  public:
-  /// `values` are those of the sites that have a cell, finite, in any order. Where a range is named,
-  /// quantiles are those of the values inside it. Errors (input): the range is none, or holds nothing for the
-  /// scale.
+  /// `values` are those of the sites that have a cell, finite, in any order. If there is a range, quantiles
+  /// are those of the values inside it. Errors (input): the range is invalid, or holds no values usable by
+  /// the scale.
   static Result<ColorPlaces> of(const Coloring& coloring, std::vector<double> values, int threads = 0);
 
-  /// Never falls where `value` rises: values below the range have 0, those above it 1, and the middle is that
-  /// of all values where they are equal.
+  /// Returns a nondecreasing function of `value`: 0 for values below the range, 1 for those above it, and the
+  /// middle if all values are equal.
   [[nodiscard]] double operator()(double value) const;
-  /// The same as the number of a color, rounded.
+  /// The same as a color index, rounded.
   [[nodiscard]] std::uint8_t colorOf(double value) const;
   [[nodiscard]] const ColorKey& key() const { return key_; }
 
@@ -38,10 +38,10 @@ class ColorPlaces {
   void findFirsts();
 
   ColorKey key_;
-  /// The values inside the range, ascending, of those that are one the least; by quantile alone.
+  /// The values inside the range, ascending; of values that count as one, the least. By quantile only.
   std::vector<double> ranked_;
-  /// By color from the second on: the least of the ranked values that has it or a later one. A search among
-  /// all that are ranked would be a cache miss for each step.
+  /// By color from the second on: the least ranked value with that color or a later one. A search in all
+  /// ranked values would miss the cache at each step.
   std::vector<double> firsts_;
 };
 

@@ -8,16 +8,16 @@
 namespace vorpipe::core {
 namespace {
 
-/// About how many steps an axis is divided into, and how near to an end a number is not named.
+/// Approximate number of steps of an axis, and the distance from an end within which numbers get no tick.
 constexpr double steps_wanted = 5, crowded = 0.07;
 constexpr int most_ticks = 8;
 
-/// mantissa 10^exponent, as near as double has it: 3 10^-1 is 0.3.
+/// Returns the double nearest to mantissa 10^exponent: 3 10^-1 is 0.3.
 double decimal(double mantissa, int exponent) {
   return exponent < 0 ? mantissa / std::pow(10, -exponent) : mantissa * std::pow(10, exponent);
 }
 
-/// The multiples of 1, 2 or 5 times a power of ten between two numbers, some five of them.
+/// Returns the multiples of 1, 2 or 5 times a power of ten between two numbers, about five.
 std::vector<double> roundNumbers(double low, double high, bool whole) {
   const double wanted = (high - low) / steps_wanted;
   if (!std::isfinite(wanted) || !(wanted > 0)) return {};
@@ -40,7 +40,8 @@ std::vector<double> roundNumbers(double low, double high, bool whole) {
   return numbers;
 }
 
-/// Powers of ten, or 1, 2 and 5 times these, or multiples of one number: whichever there are enough of.
+/// Returns powers of ten, or 1, 2 and 5 times these, or multiples of one number: the first kind with enough
+/// numbers.
 std::vector<double> roundNumbersOfLogarithm(double low, double high, bool whole) {
   const int first = static_cast<int>(std::floor(std::log10(low)));
   const int last = static_cast<int>(std::floor(std::log10(high)));
@@ -64,7 +65,8 @@ std::vector<double> roundNumbersOfLogarithm(double low, double high, bool whole)
   return mixed.size() >= 2 ? mixed : roundNumbers(low, high, whole);
 }
 
-/// The value of which `part` of the others are less; between two, a whole number takes one of them.
+/// Returns the quantile `part` of the values; between two values, interpolates, or takes one of them if
+/// values are integers.
 double quantileOf(std::span<const double> ranked, double part, bool whole) {
   const double at = part * static_cast<double>(ranked.size() - 1);
   if (whole) return ranked[static_cast<std::size_t>(std::lround(at))];
@@ -74,7 +76,7 @@ double quantileOf(std::span<const double> ranked, double part, bool whole) {
   return low * (1 - rest) + high * rest;
 }
 
-/// Of ticks that name one value one is left, where the values that it names are.
+/// Merges ticks of equal value into one, at the middle of the ranks with this value.
 void joinEqual(std::vector<std::pair<double, double>>& ticks, std::span<const double> ranked) {
   std::vector<std::pair<double, double>> joined;
   for (const auto& tick : ticks) {

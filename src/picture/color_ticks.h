@@ -1,4 +1,4 @@
-/// The values that a scale of colors names.
+/// The tick values of a color scale.
 #pragma once
 
 #include <span>
@@ -9,10 +9,10 @@
 
 namespace vorpipe::core {
 
-/// The ticks of a key whose other members are set. `ranked`: the values, ascending, by quantile alone.
-/// By quantile the values at 0, 25, 50, 75 and 100 %, each once; else both ends, and round numbers between
-/// them that are not too near to an end. Where all values are equal there is one, in the middle. Numbers of
-/// neighbors are whole.
+/// Returns the ticks of a key whose other members are set. `ranked`: the values, ascending, by quantile only.
+/// By quantile, ticks are the values at 0, 25, 50, 75 and 100 %, each once. Otherwise they are both ends, and
+/// round numbers between them that are not too near to an end. If all values are equal there is one tick, in
+/// the middle. Ticks for numbers of neighbors are integers.
 std::vector<std::pair<double, double>> ticksOf(const ColorKey& key, std::span<const double> ranked);
 
 }  // namespace vorpipe::core

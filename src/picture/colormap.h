@@ -8,7 +8,7 @@
 
 namespace vorpipe::core {
 
-/// The palette of one of colormaps(), opaque. Error (input): no color map has this name.
+/// Returns the palette of one of colormaps(), opaque. Error (input): no color map has this name.
 Result<Palette> paletteByName(std::string_view name);
 
 }  // namespace vorpipe::core

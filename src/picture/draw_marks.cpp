@@ -11,11 +11,11 @@
 namespace vorpipe::core {
 namespace {
 
-/// In pixels edges along the outline are those of the cells that it bounds, and as many beside them as beside
-/// other edges; here its outer half is not seen.
+/// Edges along the outline use the pixels of its cells and as many outside as at other edges; the outer half
+/// is hidden here.
 double outlineWidth(const RenderOptions& options) { return options.edge_width + 1; }
 
-/// Darkens edges in a part of an image alone: where the domain ends, cells do, but no other begins.
+/// Darkens edges only in a part of an image: at the end of the domain, cells end but no others begin.
 void drawEdgesIn(const PictureFrame& part, double width, int threads, Image& image) {
   if (part.width == image.width && part.height == image.height) return drawEdges(image, width, threads);
   if (part.width == 0) return;
@@ -61,7 +61,7 @@ void drawLabels(const Marks& marks, const RenderOptions& options, std::span<cons
     const double left = label.middle.x - label.width / 2, top = label.middle.y - height / 2;
     const std::uint32_t cell = colors[label.site];
     if (options.dual) {
-      // Lines of the dual end at sites, where labels are.
+      // Dual lines end at sites, where labels are.
       const auto pixel = [](double at) { return static_cast<int>(std::lround(at)); };
       for (int row = pixel(top - margin); row < pixel(top + height + margin); ++row) {
         for (int column = pixel(left - margin); column < pixel(left + label.width + margin); ++column) {

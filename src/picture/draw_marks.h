@@ -1,4 +1,4 @@
-/// What is drawn over the cells of a picture in pixels.
+/// Draws marks over the cells of a picture in pixels.
 #pragma once
 
 #include <functional>
@@ -8,7 +8,7 @@
 
 namespace vorpipe::core {
 
-/// What all of it is drawn from; all of it outlives this.
+/// The input of all marks; all of it outlives this.
 struct Overlays {
   const RenderOptions& options;
   const Marks& marks;
@@ -18,12 +18,12 @@ struct Overlays {
   int threads;
 };
 
-/// Draws cells alone, the rows of the frame from `first` to before `last`: an image with several places in
+/// Draws only cells, in the rows of the frame from `first` to before `last`: an image with several places in
 /// each pixel, whose ids are indices of the sites of dots.
 using DrawCells = std::function<Result<Image>(int first, int last)>;
 
-/// Draws edges, the dual and dots over the image of a frame, each pixel of which has several places where
-/// options.antialias says so; these are drawn by `cells`. Ids stay. Errors: those of `cells`.
+/// Draws edges, the dual and dots over the image of a frame, whose pixels have several places each if
+/// options.antialias is more than 1. `cells` draws these places. Ids do not change. Errors: those of `cells`.
 Result<void> drawOverlays(const Overlays& overlays, const DrawCells& cells, Image& image);
 
 /// Draws labels over a whole picture. `colors` are those of cells, by site.

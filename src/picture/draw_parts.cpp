@@ -9,7 +9,7 @@
 namespace vorpipe::core {
 namespace {
 
-/// A picture that is drawn in parts has several views: the place of one in the image, rows from the bottom.
+/// One view of a picture that is drawn in parts: its place in the image, rows from the bottom.
 struct Part {
   int column, row, width, height;
 };

@@ -7,18 +7,19 @@
 
 namespace vorpipe::core {
 
-/// What was drawn of a picture, and how.
+/// The drawn picture and its figures.
 struct Drawn {
   Image image;
   double download_seconds = 0;
-  std::uint64_t uncovered = 0;  ///< pixels that the device left
+  std::uint64_t uncovered = 0;  ///< pixels that the device did not cover
 };
 
-/// `room` is how many pixels the picture will have.
+/// `room` is the number of pixels that the picture will have.
 Result<Drawn> drawParts(Backend& backend, CellDrawing& drawing, const NearestSites& nearest,
                         const ShownPart& shown, const Palette& palette, std::size_t room);
 
-/// Which cells are drawn, and by whom. To choose them pays where the others are as many at least.
+/// Decides which cells are drawn, and whether by the device. Selecting cells pays if at least as many others
+/// are left out.
 WhatToDraw whatToDraw(const SiteSet& set, const RenderOptions& options, const ShownPart& shown);
 
 }  // namespace vorpipe::core

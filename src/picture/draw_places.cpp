@@ -9,7 +9,7 @@
 namespace vorpipe::core {
 namespace {
 
-/// The rows of a box from `first` to before `last` of `rows`, counted from its upper end.
+/// Returns the rows of a box from `first` to before `last` of `rows`, counted from its upper end.
 Box rowsOf(const Box& box, int first, int last, int rows) {
   const auto upper = [&](int row) {
     return row == rows ? box.ymin : box.ymax - (box.ymax - box.ymin) * row / rows;

@@ -1,4 +1,4 @@
-/// The cells of a picture whose pixels have several places.
+/// Draws the cells of a picture whose pixels have several places.
 #pragma once
 
 #include "picture/draw_parts.h"
@@ -13,15 +13,15 @@ class PlacesDrawing {
   PlacesDrawing(const Machine& machine, const NearestSites& nearest, const RenderOptions& options,
                 const Palette& palette, KeptPicture& kept);
 
-  /// The places of the rows from `first` to before `last` of the frame, masked by the outline; ids are those
-  /// of the scene.
+  /// Returns the places of the rows from `first` to before `last` of the frame, masked by the outline. Ids
+  /// are those of the scene.
   Result<Image> draw(int first, int last);
 
  private:
   const Machine& machine_;
   const NearestSites& nearest_;
   int in_pixel_;
-  RenderOptions options_;  ///< of the frame alone, each of whose pixels is one place
+  RenderOptions options_;  ///< of the frame alone, with one place per pixel
   const Palette& palette_;
   const KeptPicture& kept_;
   ShownPart all_;

@@ -10,8 +10,8 @@
 namespace vorpipe::core {
 namespace {
 
-/// A character: how many units it takes with the gap that follows, and the strokes of the pen. A stroke is
-/// a list of points, each a digit and a letter: x in half units from the left, and y in half units above the
+/// A character: its width in units including the gap after it, and the strokes of the pen. A stroke is a list
+/// of points, each a digit and a letter: x in half units from the left, and y in half units above the
 /// baseline from a on, or below it from A on. Strokes are separated by spaces; ~ rounds the corners.
 struct Glyph {
   char character;
@@ -109,13 +109,14 @@ Point pointOf(char x, char y) {
   return {(x - '0') / 2.0, half_units / 2.0};
 }
 
-/// The way from one point toward another, as far as `reach` or a part of it.
+/// Returns the point on the way from one point toward another at distance `reach`, or at most at a part of
+/// the way.
 Point toward(Point from, Point to, double reach, double most_part) {
   const double part = std::min(reach / std::hypot(to.x - from.x, to.y - from.y), most_part);
   return {from.x + part * (to.x - from.x), from.y + part * (to.y - from.y)};
 }
 
-/// Makes a curve of every corner, which takes half of a side that it shares with another corner.
+/// Replaces every corner by a curve, which takes half of a side that it shares with another corner.
 Stroke rounded(const Stroke& corners) {
   constexpr double reach = 2;
   constexpr int steps = 8;
@@ -170,7 +171,7 @@ void drawGlyph(const Glyph& glyph, Point at, double unit, std::uint32_t color, I
   const auto last = [](double edge) { return static_cast<int>(std::ceil(edge)); };
   for (int row = first(at.y - above * unit); row < last(at.y + below * unit); ++row) {
     for (int column = first(at.x - unit); column < last(at.x + glyph.advance * unit); ++column) {
-      // The pen's middle is that of a cell of the letter's grid.
+      // The pen's center is that of a cell of the letter's grid.
       const Point place{(column - at.x + 0.5) / unit - 0.5, -(row - at.y + 0.5) / unit - 0.5};
       double distance = 1;
       for (const Stroke& stroke : strokes) distance = std::min(distance, distanceTo(stroke, place));

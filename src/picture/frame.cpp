@@ -6,13 +6,14 @@
 namespace vorpipe::core {
 namespace {
 
-/// `rest` is what pixels beside the frame get.
+/// `rest` is the value of pixels outside the frame.
 void spread(std::vector<std::uint32_t>& pixels, const PictureFrame& frame, int width, int height,
             std::uint32_t rest) {
   const auto at = [&](std::ptrdiff_t index) { return pixels.begin() + index; };
   const auto placeOf = [&](std::ptrdiff_t row) { return (frame.top + row) * width + frame.left; };
   pixels.resize(static_cast<std::size_t>(width) * static_cast<std::size_t>(height));
-  // From the last row on: each moves to a higher place, so that none is overwritten before it has moved.
+  // Goes from the last row to the first: each moves to a higher place, so that none is overwritten before it
+  // has moved.
   for (std::ptrdiff_t row = frame.height - 1; row >= 0; --row) {
     const std::ptrdiff_t from = row * frame.width, to = placeOf(row);
     std::copy_backward(at(from), at(from + frame.width), at(to + frame.width));

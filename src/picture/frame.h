@@ -1,15 +1,15 @@
-/// Pictures that are larger than what is drawn.
+/// Pictures that are larger than the drawn part.
 #pragma once
 
 #include "vorpipe.h"
 
 namespace vorpipe::core {
 
-/// Makes an image of the frame's size one of width x height pixels; those beside the frame have no site and
-/// color 0. Takes no memory besides where the image's arrays have room for all.
+/// Extends an image of the frame's size to width x height pixels. Pixels outside the frame have no site and
+/// color 0. Takes no further memory if the image's arrays have room for all.
 void putIntoFrame(const PictureFrame& frame, int width, int height, Image& image);
 
-/// A part of an image, of at least one pixel, and the same back in its place.
+/// partOf() copies a part of an image, of at least one pixel; putPart() writes it back in its place.
 Image partOf(const Image& image, const PictureFrame& part);
 void putPart(const Image& from, const PictureFrame& part, Image& image);
 

@@ -19,8 +19,8 @@ namespace {
 
 constexpr std::size_t kept_picture_grain = 1 << 12;
 
-/// Whether all sites lie in the domain and inside the outline. Each position then has a cell of which the
-/// outline leaves something.
+/// Whether all sites lie in the domain and inside the outline. Then each position has a cell that the outline
+/// does not remove entirely.
 bool areInside(const Sites& sites, const Box& domain, const Rings& rings, int exponent, int threads) {
   const OutlineIndex index(rings);
   const PowerOfTwo scale(exponent);
@@ -34,7 +34,7 @@ bool areInside(const Sites& sites, const Box& domain, const Rings& rings, int ex
   return all;
 }
 
-/// Prepared sites alone.
+/// Prepares sites only.
 Result<FoundCells> prepareSites(const Machine& machine, const Sites& sites, const RenderOptions& options) {
   const Stopwatch watch;
   FoundCells found;
@@ -50,8 +50,8 @@ Result<FoundCells> prepareSites(const Machine& machine, const Sites& sites, cons
   return found;
 }
 
-/// Which sites of a set have no cell, if `cells` say it: a device does not see whether the cell of a site
-/// with weights is very small or empty.
+/// Returns which sites of a set have no cell, according to `cells`. A device cannot distinguish a very small
+/// cell of a weighted site from an empty one.
 std::vector<std::uint8_t> hiddenSites(const SiteSet& set, const Scene& scene, const Diagram& cells) {
   if (set.weight.empty()) return {};
   std::vector<std::uint8_t> hidden(set.size());
@@ -61,7 +61,7 @@ std::vector<std::uint8_t> hiddenSites(const SiteSet& set, const Scene& scene, co
   return hidden;
 }
 
-/// A site without a cell may have an image at the end of the band that seems to have one.
+/// Drops hidden sites: one without a cell may have an image at the end of the band that seems to have one.
 void dropHidden(const std::vector<std::uint8_t>& hidden, NeighborRows& cells) {
   for (std::size_t i = 0; i < hidden.size(); ++i) {
     if (hidden[i] != 0) cells.drop(i, CellStatus::empty);

@@ -1,4 +1,4 @@
-/// What pictures of the same sites and domain have in common, whatever they show of it and in which colors.
+/// Shared data of pictures of the same sites and domain, whatever part they show and in which colors.
 #pragma once
 
 #include <cstdint>
@@ -13,9 +13,9 @@ namespace vorpipe::core {
 
 struct KeptPicture {
   Rings rings;
-  FoundCells found;    ///< without cells, a diagram that is empty
-  DrawnBefore before;  ///< and the cells, where they were found
-  /// The colors last asked for.
+  FoundCells found;    ///< its diagram is empty if cells were not found
+  DrawnBefore before;  ///< and the cells, if they were found
+  /// The last requested colors.
   struct Colors {
     ColorBy by;
     ColorScale scale;
@@ -29,16 +29,16 @@ struct KeptPicture {
   [[nodiscard]] bool hasCells() const { return !found.diagram.status.empty(); }
 };
 
-/// Whether the cells of a picture are to be found as data: for measures that the colors follow, and to prove
-/// which cells weights and an outline leave. Error (input): the outline is too far from the domain.
+/// Whether a picture needs its cells as data: for measures that the colors show, or to prove which cells
+/// remain with weights and an outline. Error (input): the outline is too far from the domain.
 Result<bool> needsCells(const Sites& sites, const RenderOptions& options, int threads);
 
-/// Finds what a picture is drawn from: cells, where they are needed, or prepared sites alone. Errors: those
-/// of findCells and of prepare.
+/// Finds the input of a picture: cells if they are needed, else only prepared sites. Errors: those of
+/// findCells and of prepare.
 Result<KeptPicture> findPicture(const Machine& machine, const Sites& sites, const RenderOptions& options,
                                 bool with_cells);
 
-/// Colors the sites as the options say, if they are not. Errors: those of paletteIndices.
+/// Colors the sites by the options, unless that is done already. Errors: those of paletteIndices.
 Result<void> colorPicture(const Sites& sites, const RenderOptions& options, int threads, KeptPicture& kept);
 
 }  // namespace vorpipe::core

@@ -14,7 +14,7 @@ using namespace core;
 
 namespace {
 
-/// The radius of the dots, which are about as large in pictures of pixels and of shapes; 0 without dots.
+/// Returns the radius of the dots, about the same in pixel and vector pictures; 0 without dots.
 double dotRadius(const Diagram& cells, const RenderOptions& options, const PicturePlaces& places) {
   if (!options.show_sites) return 0;
   constexpr double least_pixels = 0.5;
@@ -32,7 +32,7 @@ double dotRadius(const Diagram& cells, const RenderOptions& options, const Pictu
   return dotSizeOf(options.dot_size, spacing, {frame.width, frame.height}).radius;
 }
 
-/// The rings of a copy of a cell, in pixels.
+/// Returns the rings of a copy of a cell, in pixels.
 Room roomOf(const Cell& cell, Point by, const PicturePlaces& places) {
   Room room{{}, {0}, places.pixels()};
   const CellRings rings = cell.rings();
@@ -53,7 +53,7 @@ double labelMargin(const RenderOptions& options) {
 }
 
 std::uint32_t inkOn(std::uint32_t rgba) {
-  // Luma of ITU-R BT.601, of 255 at most.
+  // Luma of ITU-R BT.601, at most 255.
   constexpr double red = 0.299, green = 0.587, blue = 0.114, middle = 140;
   const auto channel = [&](int shift) { return static_cast<double>(rgba >> shift & 0xFF); };
   return red * channel(0) + green * channel(8) + blue * channel(16) < middle ? white : black;
@@ -74,7 +74,7 @@ Result<std::vector<SiteLabel>> siteLabels(const Sites& sites, const Diagram& cel
     std::string text = std::to_string(site);
     const double width = unitsOf(text) * options.label_size / letter_units;
     const TextBox box{width + 2 * margin, options.label_size + 2 * margin, edge};
-    // Most cells of a large diagram are too small for any text.
+    // Most cells of a large diagram are too small for a text.
     if (cell.rings().empty() || places.pixelsOf(cell.area()) < box.width * box.height) continue;
     for (const Point by : shownCopies(boxOf(cell.vertices()), options, places)) {
       const Point center = places.pixelOf({cell.centroid().x + by.x, cell.centroid().y + by.y});

@@ -17,14 +17,14 @@ constexpr int line_height = 11;
 constexpr int margin = 3, padding = 5, title_gap = 9, bottom_gap = 3;
 constexpr int bar_width = 10, bar_height = 84, tick_length = 2, label_gap = 5;
 constexpr int label_distance = 11;         ///< of two baselines
-constexpr std::size_t longest_label = 10;  ///< that fits into every picture
+constexpr std::size_t longest_label = 10;  ///< fits into every picture
 
 struct Label {
   double place;  ///< along the colors
   std::string text;
 };
 
-/// What is written, in units.
+/// The texts, with sizes in units.
 struct Contents {
   std::vector<std::string> title;  ///< lines
   std::vector<Label> labels;       ///< ascending
@@ -56,8 +56,8 @@ void joinLines(std::vector<std::string>& title) {
   for (; title.size() > 1; title.pop_back()) title[title.size() - 2] += ", " + title.back();
 }
 
-/// The labels of the ticks of `key`, with as many digits as tell them apart, if a picture of this width has
-/// room for them. Of labels that still read the same one stays, rather that of an end.
+/// The labels of the ticks of `key`, with enough digits to distinguish them, if a picture of this width has
+/// room. One of equal labels stays, preferably that of an end.
 std::vector<Label> labelsOf(const ColorKey& key, int width) {
   if (!(key.range.low < key.range.high)) return {{0.5, numberText(key.range.low, 6)}};
   std::vector<double> values;
@@ -77,8 +77,8 @@ std::vector<Label> labelsOf(const ColorKey& key, int width) {
   return labels;
 }
 
-/// Drops labels that would stand too near to others beside a bar of that height: the ends stay, and of
-/// the others those in the middle.
+/// Drops labels that would be too near to others beside a bar of that height. Keeps the ends, and then labels
+/// nearest to the middle.
 void dropCrowded(std::vector<Label>& labels, double height) {
   std::ranges::stable_sort(labels, {}, [](const Label& label) {
     const bool is_end = label.place <= 0 || label.place >= 1;
@@ -95,13 +95,13 @@ void dropCrowded(std::vector<Label>& labels, double height) {
   labels = std::move(kept);
 }
 
-/// Pixels of a unit, and the bar's height in them.
+/// Pixels per unit, and the bar's height in pixels.
 struct Scale {
   int unit, bar;
 };
 
-/// About the same part of every picture, of which the legend covers less than this in each direction where
-/// that leaves it legible.
+/// Chooses about the same share of every picture. The legend covers less than this in each direction, if it
+/// is legible then.
 Scale scaleFor(const Contents& contents, int width, int height) {
   constexpr double pictures_side = 450, most = 0.6;
   int unit = std::max(
@@ -113,8 +113,8 @@ Scale scaleFor(const Contents& contents, int width, int height) {
   return {1, std::clamp(std::min(highest, height - 2 * margin) - contents.height(), 1, bar_height)};
 }
 
-/// The colors from `bottom` upward. Each box reaches into the next, which is drawn over it, so that no seam
-/// shows where a renderer smoothes edges.
+/// Draws the colors from `bottom` upward. Each box overlaps the next, which is drawn over it, so that
+/// antialiasing shows no seams.
 void addBar(Legend& legend, const LegendBox& bar, const Palette& palette, bool equal) {
   const int last = static_cast<int>(palette.size()) - 1;
   const int height = static_cast<int>(bar.height);

@@ -44,10 +44,10 @@ std::vector<Line> outlineLines(const RenderOptions& options) {
   return lines;
 }
 
-/// An image of a neighbor: the site, and how many periods away.
+/// An image of a neighbor: the site, and its shift in periods.
 using Neighbor = std::pair<std::int64_t, std::array<std::int32_t, 2>>;
 
-/// The neighbors to which a cell draws lines, each once: an outline may leave several edges of one.
+/// Finds the neighbors to which a cell draws lines, each once: an outline may leave several edges to one.
 void findNeighbors(const Cell& cell, std::vector<Neighbor>& neighbors) {
   neighbors.clear();
   for (std::size_t k = 0; k < cell.edges(); ++k) {

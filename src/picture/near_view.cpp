@@ -10,16 +10,16 @@
 namespace vorpipe::core {
 namespace {
 
-/// Into as many rows and columns a box is cut at most: 2^depth. More would make the parts beyond the box
-/// smaller that are looked at with it, and take longer.
+/// A box is cut into at most 2^depth rows and columns. More would shrink the examined surroundings of each
+/// part, but take longer.
 constexpr int depth = 5;
-/// A part whose sites are farther away than this, in half diagonals of the part, is cut no further.
+/// A part is not cut further if its sites are farther away than this, in half diagonals of the part.
 constexpr double far_away = 5;
-/// Looks at sites, for each site that there is, beyond which nothing is gained any more.
+/// Limit of examined sites, per site of the set; beyond this nothing is gained.
 constexpr std::size_t most_looks = 6;
-/// Sites of a bin that are looked at for a bound: any of them gives one.
+/// Number of sites of a bin examined for a bound: any of them gives one.
 constexpr std::uint32_t most_of_bin = 16;
-/// What rounding may take of a distance, and what coordinates are rounded by.
+/// Slack for rounding of distances, and rounding of coordinates.
 constexpr double slack = 1 + 1e-9, coordinate_rounding = 1e-14;
 constexpr double infinite = std::numeric_limits<double>::infinity();
 
@@ -35,11 +35,11 @@ class NearSites {
         left_(most_looks * sites.size()),
         marks_(sites.size()) {}
 
-  /// False where too many sites were to be looked at.
+  /// Returns false if too many sites would have to be examined.
   bool add(const Box& part, int level) {
     const Point center{(part.xmin + part.xmax) / 2, (part.ymin + part.ymax) / 2};
     const double half = std::hypot(part.xmax - part.xmin, part.ymax - part.ymin) / 2;
-    // The least power that every place of the part has to some site is no more than this.
+    // Upper bound of the least power of every place in the part to a site.
     const double bound = leastBound(center, half);
     const double reach = half + std::sqrt(std::max(0.0, powerLeft(bound, heaviest_)));
     if (level > 0 && reach < far_away * half) {
@@ -64,7 +64,8 @@ class NearSites {
  private:
   [[nodiscard]] double weight(std::uint32_t i) const { return sites_.weight.empty() ? 0 : sites_.weight[i]; }
 
-  /// The largest squared distance at which a site of a weight matters, and what rounding takes of the sum.
+  /// Returns the largest squared distance at which a site of this weight matters, plus the rounding of the
+  /// sum.
   [[nodiscard]] static double powerLeft(double bound, double weight) {
     constexpr double lost = 1e-14;
     return bound + weight + lost * (std::abs(bound) + (std::isfinite(weight) ? std::abs(weight) : 0));
@@ -74,7 +75,7 @@ class NearSites {
     return std::hypot(sites_.x[i] - p.x, sites_.y[i] - p.y);
   }
 
-  /// The sites of the nearest bins that have any, and heavy ones: whichever bounds the power most.
+  /// Returns the best bound of the power from sites of the nearest nonempty bins and from heavy sites.
   [[nodiscard]] double leastBound(Point p, double half) const {
     double best = infinite;
     const auto look = [&](std::uint32_t i) {
@@ -108,7 +109,7 @@ class NearSites {
     return best;
   }
 
-  /// Whether the site may have a place of the part.
+  /// Marks the site if its cell may contain a place of the part.
   void mark(std::uint32_t i, Point p, double half, double bound) {
     const double power = powerLeft(bound, weight(i));
     if (power < 0) return;
@@ -144,8 +145,8 @@ class NearSites {
   const SiteSet& sites_;
   const Grid& grid_;
   double rounding_;
-  double heaviest_;   ///< but for the heavy ones
-  std::size_t left_;  ///< sites that may still be looked at
+  double heaviest_;   ///< except heavy sites
+  std::size_t left_;  ///< number of sites that may still be examined
   std::vector<std::uint8_t> marks_;
 };
 

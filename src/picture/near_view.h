@@ -1,4 +1,4 @@
-/// Which cells a view can show.
+/// Finds the cells that a view can show.
 #pragma once
 
 #include <cstdint>
@@ -8,9 +8,9 @@
 
 namespace vorpipe::core {
 
-/// The sites whose cells may reach into a box, ascending; all that do are among them, and some that do not.
-/// The power of no place of the box to its site is more than that of a place nearby to any site, and what the
-/// way between them adds: so few places bound how far away the sites are that matter.
+/// Returns sites whose cells may reach into a box, ascending: all that do, and some that do not. The power of
+/// a place in the box to its site is bounded: by that of a nearby place to any site, plus what the way
+/// between the places adds. So a few places bound the distance of relevant sites.
 std::vector<std::uint32_t> sitesNear(const SiteSet& sites, const Box& box);
 
 }  // namespace vorpipe::core

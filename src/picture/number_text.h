@@ -1,4 +1,4 @@
-/// Numbers as people write them in pictures.
+/// Human-readable numbers in pictures.
 #pragma once
 
 #include <span>
@@ -7,12 +7,12 @@
 
 namespace vorpipe::core {
 
-/// A finite number with `digits` significant digits, fewer where the last are 0, more where it is an integer
-/// of up to six: 0.012, 1.2e-5, 350.
+/// Formats a finite number with `digits` significant digits, fewer if the last are 0, more if it is an
+/// integer of up to six digits: 0.012, 1.2e-5, 350.
 std::string numberText(double number, int digits);
 
-/// Numbers that ascend, each with three significant digits, or as many more as it takes to tell different
-/// ones apart, unless one then has more than `longest` characters.
+/// Formats ascending numbers with three significant digits each, or as many more as distinguish different
+/// numbers, unless one would then exceed `longest` characters.
 std::vector<std::string> numberTexts(std::span<const double> numbers, std::size_t longest);
 
 }  // namespace vorpipe::core

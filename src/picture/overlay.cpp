@@ -12,7 +12,7 @@ namespace {
 
 constexpr std::uint32_t dot_color = white, rim_color = black;
 
-/// Where the cell ends at the outline on its left or upper side, its own pixel is of the edge.
+/// If the cell ends at the outline on its left or upper side, its own pixel is an edge pixel.
 bool isEdge(const Image& image, int row, int column) {
   const auto& ids = image.ids;
   const auto here = pixelAt(image, row, column);
@@ -24,9 +24,9 @@ bool isEdge(const Image& image, int row, int column) {
          (row > 0 && ids[here - width] == no_site);
 }
 
-/// A disk of whole pixels across. That of an odd number has its center in the middle of an edge pixel; that
-/// of an even one at its lower right corner, where cells meet. Steps to pixels from there are counted from 0
-/// and 1.
+/// A disk whose diameter is a whole number of pixels. If it is odd, its center is the center of an edge
+/// pixel, and steps to pixels count from 0. If it is even, its center is the lower right corner, where cells
+/// meet, and steps count from 1.
 class Disk {
  public:
   explicit Disk(int across) : first_(across % 2 == 0 ? 1 : 0) {
@@ -37,15 +37,15 @@ class Disk {
     }
   }
 
-  /// Steps to the pixel itself, and to the ones on its left and above.
+  /// Steps to the edge pixel itself, and to those on its left and above.
   [[nodiscard]] int first() const { return first_; }
-  /// Most steps in rows.
+  /// Maximum steps in rows.
   [[nodiscard]] int rows() const { return static_cast<int>(reach_.size()) - 1; }
-  /// Steps from a row with the center to another.
+  /// Steps from the center's row to another.
   [[nodiscard]] int rowsFrom(int center, int row) const {
     return row > center ? row - center : center - row + first_;
   }
-  /// Most steps in columns, in a row that is `rows` steps from that of the center.
+  /// Maximum steps in columns, in a row that is `rows` steps from that of the center.
   [[nodiscard]] std::uint8_t columns(int rows) const { return reach_[static_cast<std::size_t>(rows)]; }
 
  private:
@@ -53,7 +53,8 @@ class Disk {
   std::vector<std::uint8_t> reach_;
 };
 
-/// How many steps each pixel of a row is from the nearest edge pixel of that row, as far as a byte holds.
+/// Measures the steps of each pixel of a row from the nearest edge pixel of that row, up to the range of a
+/// byte.
 void measureRow(const Image& image, int row, const Disk& disk, std::uint8_t* steps) {
   constexpr int far = std::numeric_limits<std::uint8_t>::max();
   int reached = far;
@@ -97,7 +98,7 @@ void widenRows(Image& image, const Disk& disk, int begin, int end) {
   }
 }
 
-/// Draws a dot about a place, all in pixels of the image.
+/// Draws a dot around a place, all in pixels of the image.
 void drawDot(Image& image, Point at, const DotSize& dot, std::uint32_t color) {
   const int reach = static_cast<int>(std::ceil(dot.radius));
   const int center_column = static_cast<int>(std::floor(at.x)),
@@ -109,7 +110,7 @@ void drawDot(Image& image, Point at, const DotSize& dot, std::uint32_t color) {
     for (int column = left; column <= right; ++column) {
       const double distance = std::hypot(column + 0.5 - at.x, row + 0.5 - at.y);
       const auto pixel = pixelAt(image, row, column);
-      // The smallest dot may reach no center.
+      // The smallest dot may contain no pixel center.
       const bool inside = distance <= dot.radius || (row == center_row && column == center_column);
       if (!inside || image.ids[pixel] == no_site) continue;
       image.rgba[pixel] = distance > dot.radius - dot.rim && dot.rim > 0 ? rim_color : color;
@@ -117,7 +118,7 @@ void drawDot(Image& image, Point at, const DotSize& dot, std::uint32_t color) {
   }
 }
 
-/// Where sites stand in a picture of a domain, y downward.
+/// Maps sites to a picture of a domain, y downward.
 class SitePixels {
  public:
   SitePixels(const Image& image, const Sites& sites, const Box& domain)
@@ -140,8 +141,8 @@ class SitePixels {
   Box domain_;
 };
 
-/// The square root of the median of how many pixels cells have, of sites that show; 0 if none does. Of many
-/// sites some are looked at, since a median needs no more.
+/// Returns the square root of the median cell size in pixels, over visible sites; 0 if there are none. Of
+/// many sites only a sample is used, which suffices for a median.
 double spacingOf(const Image& image, const SitePixels& places, std::size_t sites) {
   constexpr std::size_t enough = std::size_t{1} << 20;
   const std::size_t every = (sites + enough - 1) / enough;

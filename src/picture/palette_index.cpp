@@ -12,7 +12,7 @@ namespace {
 
 constexpr std::size_t palette_index_grain = 1 << 12;
 
-/// How many sites a cell has as neighbors; with an outline, one may have several edges.
+/// Returns the number of sites that are neighbors of a cell; with an outline, one may share several edges.
 double neighborsOf(const Diagram& cells, std::size_t site) {
   const auto* neighbors = cells.neighbors.data();
   std::vector<std::int64_t> sites(neighbors + cells.cell_offsets[site],
@@ -28,7 +28,7 @@ std::vector<std::uint8_t> indicesBySite(std::size_t sites) {
   return indices;
 }
 
-/// What a picture by site cannot show.
+/// Refuses options that a picture by site cannot show.
 Result<void> checkNoScale(const RenderOptions& options) {
   const auto refuse = [](std::string_view what) {
     return tl::unexpected(

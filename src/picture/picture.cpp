@@ -39,8 +39,8 @@ void countStatuses(const std::vector<Status>& status, Report& report) {
   }
 }
 
-/// Takes over what the cells took, to which the drawing adds; what was done for a picture before took
-/// nothing.
+/// Starts the report with the costs of the cells, to which the drawing adds its own. Work done for an earlier
+/// picture costs nothing.
 void beginReport(const KeptPicture& kept, Report& report) {
   const Report& cells = kept.found.diagram.report;
   report.hidden = cells.hidden;
@@ -56,7 +56,7 @@ void beginReport(const KeptPicture& kept, Report& report) {
   report.validation_messages = cells.validation_messages;
 }
 
-/// The color of each cell that has a label, by site.
+/// Returns the colors of cells by site; empty if there are no labels.
 std::vector<std::uint32_t> colorsIn(const KeptPicture& kept, const Marks& marks, const Palette& palette) {
   if (marks.labels.empty()) return {};
   const SiteSet& set = kept.found.run->prepared.set;
@@ -67,15 +67,15 @@ std::vector<std::uint32_t> colorsIn(const KeptPicture& kept, const Marks& marks,
   return colors;
 }
 
-/// Of cells without fill.
+/// The palette of cells without fill.
 Palette whitePalette() {
   Palette palette;
   palette.fill(white);
   return palette;
 }
 
-/// Draws what lies over cells, masks what lies outside of the outline, and makes the picture as large as it
-/// is to be. `places` draws cells with several places in a pixel.
+/// Draws the overlays, masks everything outside the outline, and extends the picture to its full size.
+/// `places` draws cells with several places in a pixel.
 Result<void> finish(const Sites& sites, const KeptPicture& kept, const RenderOptions& options, int threads,
                     const Marks& marks, const Palette& palette, PlacesDrawing* places, Image& image) {
   const Scene& scene = kept.found.scene;
@@ -173,8 +173,8 @@ Result<Rendering> renderOn(const Machine& machine, const Sites& sites, const Ren
   VORPIPE_TRY(checkRender(options));
   const auto with_cells = needsCells(sites, options, machine.threads);
   if (!with_cells) return tl::unexpected(with_cells.error());
-  // Before the cells that are drawn, since only one run at a time has the exact tier. Where the picture is
-  // not drawn from cells as data, these change no pixel's site.
+  // Done before the drawn cells, since only one run at a time has the exact tier. If the picture is not drawn
+  // from cells as data, these cells change no pixel's site.
   std::optional<Diagram> apart;
   if (marksNeedCells(options) && !*with_cells) {
     CellsOptions wanted = cellsOptions(options);

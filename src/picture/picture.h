@@ -1,4 +1,4 @@
-/// The whole way from sites to a picture.
+/// Makes a picture from sites.
 #pragma once
 
 #include "cells/machine.h"
@@ -7,13 +7,13 @@
 
 namespace vorpipe::core {
 
-/// What Session::render does; checkOptions found nothing to refuse.
+/// Implements Session::render; checkOptions found nothing to refuse.
 Result<Rendering> renderOn(const Machine& machine, const Sites& sites, const RenderOptions& options);
 
-/// Refuses what renderOn does, of the options alone.
+/// Refuses options that renderOn would refuse, regardless of the sites.
 Result<void> checkRender(const RenderOptions& options);
 
-/// The same picture, from what another one was drawn from; checkRender found nothing to refuse. `marks`
+/// Renders the same picture from the kept data of another one; checkRender found nothing to refuse. `marks`
 /// are those of its options.
 Result<Rendering> renderKept(const Machine& machine, const Sites& sites, const RenderOptions& options,
                              const Marks& marks, KeptPicture& kept);

@@ -9,20 +9,21 @@
 namespace vorpipe::core {
 namespace {
 
-/// In pixels: what rounding may put between an edge and a center that lies on it.
+/// In pixels: distance that rounding may put between an edge and a center on it.
 constexpr double on_edge = 1e-9;
 
-/// How far beyond the view polygons are cut, in sizes of the view.
+/// Distance beyond the view at which polygons are cut, in sizes of the view.
 constexpr double kept_beyond = 0.5;
 
-/// Where an edge crosses a line along the other axis: the same whichever end comes first.
+/// Returns where an edge crosses a line along the other axis. The result does not depend on the order of the
+/// ends.
 double crossingOf(double at, Point a, Point b, double Point::*along, double Point::*across) {
   if (b.*along < a.*along || (b.*along == a.*along && b.*across < a.*across)) std::swap(a, b);
   const double part = (at - a.*along) / (b.*along - a.*along);
   return a.*across + part * (b.*across - a.*across);
 }
 
-/// Cuts away what lies on one side of the line where a coordinate is `at`: above, or else below.
+/// Cuts away the side of the line where a coordinate is `at`: above, or else below.
 void cutAt(double at, bool above, double Point::*along, double Point::*across, std::vector<Point>& polygon) {
   const auto isKept = [&](Point p) { return above ? p.*along <= at : p.*along >= at; };
   if (std::ranges::all_of(polygon, isKept)) return;

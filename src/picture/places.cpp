@@ -8,12 +8,12 @@
 namespace vorpipe {
 namespace {
 
-/// How many periods along an axis the copies of something stand that show.
+/// The visible copies of something along an axis, as numbers of periods.
 struct Copies {
   int first = 0, last = 0;
 };
 
-/// Copies of what reaches from `low` to `high` that meet the part from `begin` to `end`.
+/// Returns the copies of an interval from `low` to `high` that meet the part from `begin` to `end`.
 Copies copiesOf(double low, double high, double begin, double end, double period) {
   return {static_cast<int>(std::ceil((begin - high) / period)),
           static_cast<int>(std::floor((end - low) / period))};
@@ -65,7 +65,7 @@ std::vector<Point> shownCopies(const Box& box, const RenderOptions& options, con
 bool drawsEdge(const Cell& cell, std::size_t edge) {
   const auto here = static_cast<std::int64_t>(cell.index()), there = cell.neighbors()[edge];
   if (here != there) return here < there;
-  // A cell that meets its own image has the edge twice, seen from either side.
+  // A cell that meets its own image has the edge twice, once from either side.
   return cell.shifts()[edge] > std::array<std::int32_t, 2>{};
 }
 

@@ -13,12 +13,12 @@
 namespace vorpipe::core {
 namespace {
 
-/// Cells whose triangles are made at a time, and by one thread.
+/// Number of cells whose triangles are made at a time, and by one thread.
 constexpr std::size_t most_at_once = std::size_t{1} << 16, polygon_drawing_grain = 4096;
 
 }  // namespace
 
-/// Of some cells: indices are those of `corners`.
+/// Triangles of some cells; indices are into `corners`.
 struct PolygonDrawing::Triangles {
   std::vector<DrawMark> corners;
   std::vector<std::uint32_t> corner_of;  ///< three for each triangle
@@ -41,7 +41,7 @@ class TriangleWriter {
     write(site);
   }
 
-  /// Writes what is in the batch.
+  /// Writes the cells in the batch.
   void finish() {
     batch_.place();
     for (std::size_t k = 0; k < batch_.size(); ++k) {
@@ -53,7 +53,7 @@ class TriangleWriter {
   }
 
  private:
-  /// A corner that rounding moved out of the domain lies on its wall. One that is not a number is left out.
+  /// A corner that rounding moved out of the domain is put on its wall. Omits a corner that is not a number.
   void addCorner(const AnchoredPoint& place) {
     const Point p = relativeTo(view_.corner, place);
     if (!std::isfinite(p.x) || !std::isfinite(p.y)) return;
@@ -63,7 +63,7 @@ class TriangleWriter {
                         std::clamp(p.y, domain.ymin - view_.corner.y, domain.ymax - view_.corner.y)}));
   }
 
-  /// A cell that holds the center of one pixel is drawn as a triangle around that: it takes no corner of the
+  /// A cell that holds the center of one pixel is drawn as a triangle around that, without corners of the
   /// cell.
   void write(std::uint32_t site) {
     if (polygon_.size() < 3) return;
@@ -102,7 +102,7 @@ class TriangleWriter {
 Result<void> PolygonDrawing::draw(const View& view, std::span<const std::uint32_t> which,
                                   const NeighborRows& cells, const Progress& progress) {
   const auto& info = canvas_.backend.info();
-  if (!info.has_vertices) return {};  // Every pixel is asked for when the picture is read.
+  if (!info.has_vertices) return {};  // Every pixel is found when the picture is read.
   const PixelFrame frame(view, info.subpixel_bits);
   const auto draw_some = [&](std::size_t first, std::size_t count) {
     std::vector<Triangles> parts((count + polygon_drawing_grain - 1) / polygon_drawing_grain);
@@ -138,7 +138,7 @@ Result<void> PolygonDrawing::send(const std::vector<Triangles>& parts) {
   };
   for (const Triangles& part : parts) {
     if (part.corners.size() > most || part.corner_of.size() > 3 * most) {
-      // More than fits: each triangle has its own corners.
+      // Too many: each triangle gets its own corners.
       for (const auto corner : part.corner_of) {
         if (joined.corners.size() + 3 > most && joined.corner_of.size() % 3 == 0) {
           VORPIPE_TRY(flush());

@@ -1,4 +1,4 @@
-/// Draws cells that are known: their polygons, as triangles.
+/// Draws known cells as polygons, split into triangles.
 #pragma once
 
 #include "cells/neighbor_rows.h"
@@ -10,10 +10,10 @@ class PolygonDrawing {
  public:
   explicit PolygonDrawing(const Canvas& canvas) : canvas_(canvas) {}
 
-  /// Draws those cells of the sites `which` that are certified over what is there; `cells` has them by index
-  /// in the set. Cells that meet have the same corners, so that they leave no gap. Where the device's grid of
-  /// vertices is coarse, they are smaller by what corners may move, and leave pixels. Errors: the device's;
-  /// progress said stop.
+  /// Draws the certified cells of the sites `which` over the present picture; `cells` holds them by index in
+  /// the set. Adjacent cells have the same corners, so that there are no gaps. If the device's grid of
+  /// vertices is coarse, cells shrink by the distance that corners may move, and leave pixels uncovered.
+  /// Errors: the device's; progress said stop.
   Result<void> draw(const View& view, std::span<const std::uint32_t> which, const NeighborRows& cells,
                     const Progress& progress);
 

@@ -11,7 +11,7 @@ namespace {
 
 double distance(Point a, Point b) { return std::hypot(a.x - b.x, a.y - b.y); }
 
-/// Twice the area of a ring; its sign tells in which direction it goes.
+/// Returns twice the signed area of a ring; the sign gives its orientation.
 double turnOf(std::span<const Point> ring) {
   double sum = 0;
   for (std::size_t k = 0; k < ring.size(); ++k) {
@@ -28,7 +28,7 @@ bool isConvex(const Room& room) {
   for (std::size_t k = 0; k < ring.size(); ++k) {
     const Point a = ring[k], b = ring[(k + 1) % ring.size()], c = ring[(k + 2) % ring.size()];
     const double corner = (b.x - a.x) * (c.y - b.y) - (b.y - a.y) * (c.x - b.x);
-    // Rounding may bend what is straight.
+    // Rounding may bend straight parts.
     constexpr double straight = 1e-6;
     if (corner * turn < 0 && std::abs(corner) > straight * distance(a, b) * distance(b, c)) return false;
   }
@@ -50,7 +50,7 @@ void cut(std::vector<Point>& polygon, double nx, double ny, double least) {
   polygon = std::move(kept);
 }
 
-/// The middles of boxes that lie in `area`.
+/// Returns the region of centers of boxes in `area`.
 std::vector<Point> middlesIn(const Box& area, const TextBox& box) {
   const double x = box.width / 2, y = box.height / 2;
   if (area.xmax - area.xmin < box.width || area.ymax - area.ymin < box.height) return {};
@@ -60,7 +60,7 @@ std::vector<Point> middlesIn(const Box& area, const TextBox& box) {
           {area.xmin + x, area.ymax - y}};
 }
 
-/// The middles of boxes that fit into a convex room: again a convex polygon.
+/// Returns the region of centers of boxes that fit into a convex room: again a convex polygon.
 std::vector<Point> middlesIn(const Room& room, const TextBox& box, const Box& area) {
   std::vector<Point> middles = middlesIn(area, box);
   const std::span<const Point> ring(room.points);
@@ -84,7 +84,7 @@ Point nearestOn(Point a, Point b, Point p) {
   return {a.x + along * way.x, a.y + along * way.y};
 }
 
-/// The point of a convex polygon, with at least one corner, that is nearest to another.
+/// Returns the point of a convex polygon, with at least one corner, that is nearest to another point.
 Point nearestIn(std::span<const Point> polygon, Point p) {
   const double turn = turnOf(polygon);
   bool inside = turn != 0;
@@ -103,7 +103,7 @@ Box around(Point middle, const TextBox& box, double gap) {
   return {middle.x - x, middle.y - y, middle.x + x, middle.y + y};
 }
 
-/// Whether a line meets a box, by what the box's sides leave of it.
+/// Whether a line meets a box, by clipping it to the box's sides.
 bool meets(Point a, Point b, const Box& box) {
   double from = 0, to = 1;
   const auto keep = [&](double start, double way, double low, double high) {
@@ -116,7 +116,7 @@ bool meets(Point a, Point b, const Box& box) {
   return keep(a.x, b.x - a.x, box.xmin, box.xmax) && keep(a.y, b.y - a.y, box.ymin, box.ymax);
 }
 
-/// Whether a box in `area` lies in the room: its middle does, and no ring meets it.
+/// Whether a box in `area` lies in the room: its center does, and no ring meets it.
 bool fits(const Room& room, const TextBox& box, const Box& area, Point middle) {
   const Box own = around(middle, box, 0), wide = around(middle, box, box.gap);
   if (own.xmin < area.xmin || own.ymin < area.ymin || own.xmax > area.xmax || own.ymax > area.ymax)
@@ -134,7 +134,7 @@ bool fits(const Room& room, const TextBox& box, const Box& area, Point middle) {
   return inside;
 }
 
-/// Tries the place itself, and others in rows and columns over the room.
+/// Tries the place itself, then others in rows and columns over the room.
 std::optional<Point> tryPlaces(const Room& room, const TextBox& box, const Box& area, Point near) {
   if (fits(room, box, area, near)) return near;
   constexpr int steps = 24;

@@ -10,7 +10,7 @@ Box shownIn(const Scene& scene, const RenderOptions& options) {
   if (!options.view) return scene.picture;
   const Box &view = *options.view, &domain = options.domain;
   if (options.periodic == Periodic::none) return view;
-  // The scene of a periodic domain is scaled, and stands elsewhere.
+  // The scene of a periodic domain is scaled and shifted.
   const PowerOfTwo scale(scaleExponent(domain));
   const double west = scene.picture.xmin + scale(view.xmin - domain.xmin);
   const double south = scene.picture.ymin + scale(view.ymin - domain.ymin);

@@ -26,8 +26,8 @@ PictureFrame frameOf(const Box& domain, int width, int height, Fit fit) {
   const double wide = (domain.xmax - domain.xmin) / width, high = (domain.ymax - domain.ymin) / height;
   const double fitting_width = wide < high ? width * (wide / high) : width;
   const double fitting_height = high < wide ? height * (high / wide) : height;
-  // Of a picture as wide as its height asks for, rounding leaves up to a pixel, and that of doubles a little
-  // more.
+  // If the width matches the height, rounding to pixels leaves up to a pixel, and rounding of doubles
+  // slightly more.
   constexpr double most_left = 1 + 1e-6;
   if (width - fitting_width <= most_left && height - fitting_height <= most_left) return whole;
   const auto pixels = [](double side) { return std::max(1, static_cast<int>(std::lround(side))); };
@@ -38,13 +38,13 @@ PictureFrame frameOf(const Box& domain, int width, int height, Fit fit) {
 DotSize dotSizeOf(double size, double spacing, PictureSize picture) {
   double radius = size / 2;
   if (size == 0) {
-    // Large pictures are looked at from farther away.
+    // Large pictures are viewed from farther away.
     constexpr double part_of_spacing = 0.12, least = 0.5, usual = 5;
     constexpr int sides = 200;
     const double most = std::max<double>(usual, std::max(picture.width, picture.height) / sides);
     radius = std::clamp(part_of_spacing * spacing, least, most);
   }
-  // A rim around less would leave little of the dot.
+  // A rim around a smaller dot would leave little of it.
   constexpr double least_with_rim = 2.5, part_of_radius = 0.2;
   return {radius, radius >= least_with_rim ? std::max(1.0, part_of_radius * radius) : 0};
 }

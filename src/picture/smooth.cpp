@@ -9,8 +9,8 @@
 namespace vorpipe::core {
 namespace {
 
-/// The mean color of the places of a pixel (decision D106). Those without a site are transparent, and count
-/// for no color.
+/// Returns the mean color of the places of a pixel (decision D106). Places without a site are transparent and
+/// do not affect the color.
 std::uint32_t meanOf(const Image& places, int row, int column, int in_pixel) {
   constexpr std::uint32_t opaque = 0xFF;
   std::array<std::uint32_t, 3> sums{};

@@ -23,7 +23,7 @@ struct Interval {
   }
 };
 
-/// Where `slope` x + `offset` lies in [0, most].
+/// Returns the interval of x in which `slope` x + `offset` lies in [0, most].
 Interval within(double slope, double offset, double most) {
   constexpr double all = std::numeric_limits<double>::infinity();
   if (slope == 0) return offset >= 0 && offset <= most ? Interval{-all, all} : Interval{};
@@ -31,7 +31,7 @@ Interval within(double slope, double offset, double most) {
   return {std::min(a, b), std::max(a, b)};
 }
 
-/// What a line that is 2 `radius` wide, with round ends, covers of the row at a height.
+/// Returns the part of the row at height y that a line of width 2 `radius` with round ends covers.
 Interval covered(const Line& line, double radius, double y) {
   Interval row;
   for (const Point end : {line.from, line.to}) {
@@ -43,8 +43,8 @@ Interval covered(const Line& line, double radius, double y) {
   if (length == 0) return row;
   const Point along{way.x / length, way.y / length};
   const double down = y - line.from.y;
-  // Between the ends, and beside the line: both are linear in x. The row is convex, so that what the ends and
-  // the middle cover is one interval.
+  // Between the ends, and beside the line: both are linear in x. The line is convex, so that it covers one
+  // interval of the row.
   const Interval between = within(along.x, down * along.y - line.from.x * along.x, length);
   const Interval beside = within(-along.y, down * along.x + line.from.x * along.y + radius, 2 * radius);
   const double low = std::max(between.low, beside.low), high = std::min(between.high, beside.high);
@@ -52,7 +52,7 @@ Interval covered(const Line& line, double radius, double y) {
   return row;
 }
 
-/// The first place of `count` at or after a coordinate, of those that begin at `begin`.
+/// Returns the first of `count` places at or after a coordinate; the places begin at `begin`.
 int firstFrom(double at, double begin, int in_pixel, int count) {
   return static_cast<int>(
       std::clamp(std::ceil((at - begin) * in_pixel - 0.5), 0.0, static_cast<double>(count)));
@@ -75,7 +75,7 @@ Rows rowsOf(const Line& line, double radius, const Places& places, int height) {
           firstAfter(bottom, places.top, places.in_pixel, height)};
 }
 
-/// For each band of rows the lines that may cover some of it.
+/// For each band of rows, the lines that may cover part of it.
 struct Bands {
   std::vector<std::size_t> offsets;
   std::vector<std::uint32_t> lines;
@@ -105,7 +105,7 @@ Bands bandsOf(std::span<const Line> lines, double radius, const Places& places, 
   return bands;
 }
 
-/// What of a picture lines are drawn into.
+/// The pen, and the part of a picture that it draws into.
 struct Pen {
   double radius;
   std::uint32_t color;

@@ -1,4 +1,4 @@
-/// Lines of a pen over a picture.
+/// Draws lines over a picture.
 #pragma once
 
 #include <span>
@@ -8,17 +8,17 @@
 
 namespace vorpipe::core {
 
-/// Which places of a picture are the pixels of an image: its own pixels, or several rows and columns of
-/// places in each pixel.
+/// Maps pixels of an image to places of a picture: the picture's own pixels, or several rows and columns of
+/// places in each.
 struct Places {
-  double left = 0, top = 0;  ///< where the image begins in the picture, in the picture's pixels
+  double left = 0, top = 0;  ///< where the image begins, in pixels of the picture
   int in_pixel = 1;          ///< rows and columns of places in a pixel
 
   [[nodiscard]] double x(int column) const { return left + (column + 0.5) / in_pixel; }
   [[nodiscard]] double y(int row) const { return top + (row + 0.5) / in_pixel; }
 };
 
-/// Colors the places with a site that are at most half of `width` pixels from one of the lines.
+/// Colors the places that have a site and are at most half of `width` pixels from one of the lines.
 void drawLines(std::span<const Line> lines, double width, std::uint32_t color, const Places& places,
                int threads, Image& image);
 

@@ -10,7 +10,7 @@ namespace vorpipe::core {
 namespace {
 
 constexpr std::size_t uncovered_grain = std::size_t{1} << 16;
-/// Pixels that the judge is asked for at once: a device may have covered none.
+/// Number of pixels per query to the judge: a device may have covered none.
 constexpr std::size_t most_at_once = std::size_t{1} << 20;
 
 bool areAllCovered(const NearestSites& nearest, std::span<const std::uint32_t> ids) {

@@ -8,18 +8,18 @@
 
 namespace vorpipe::core {
 
-/// What pixels without a site get theirs from; all of it outlives this.
+/// The data that fills pixels without a site; all of it outlives this.
 struct NearestSites {
   Judge& judge;
   const SiteSet& sites;
   std::span<const std::uint8_t> palette_index;  ///< by index in the set
-  std::uint64_t ids;                            ///< those of sites are less
+  std::uint64_t ids;                            ///< ids of sites are less than this
   int threads;
 };
 
-/// Gives every pixel of a view that a device left without a site, or with an id that no site has, its nearest
-/// site and the color of that, whatever the reason; if no site has a cell, none and color 0. Row 0 is the
-/// bottom. Returns how many there were: where there are none, this only looks.
+/// Fills every pixel of a view that a device left without a site or with an invalid id, for whatever reason.
+/// The pixel gets its nearest site and that site's color; if no site has a cell, no site and color 0. Row 0
+/// is the bottom. Returns the number of such pixels; if it is 0, nothing is written.
 std::uint64_t coverRest(const NearestSites& nearest, const View& view, std::span<std::uint32_t> rgba,
                         std::span<std::uint32_t> ids);
 

@@ -12,8 +12,8 @@
 namespace vorpipe {
 namespace {
 
-/// The first of `count` steps from which on `is` holds, which holds from there to the end; `count` if it
-/// never does.
+/// Returns the first of `count` steps for which `is` holds, by bisection: it holds from there to the end.
+/// Returns `count` if it never does.
 int firstThat(int count, const std::function<bool(int)>& is) {
   int low = 0, high = count;
   while (low < high) {
@@ -31,8 +31,8 @@ struct Steps {
   int first = 0, count = 0;
 };
 
-/// The pixels along an axis whose centers lie between `low` and `high`, both counted from where the pixels
-/// begin; they are `count`, and `length` long together.
+/// Returns the pixels along an axis whose centers lie between `low` and `high`, both relative to the first
+/// pixel's start. There are `count` pixels with the total length `length`.
 Steps centersBetween(double low, double high, double length, int count) {
   const auto centerOf = [&](int step) { return (step + 0.5) / count * length; };
   const int first = firstThat(count, [&](int step) { return centerOf(step) >= low; });
@@ -74,7 +74,7 @@ Result<void> checkView(const RenderOptions& options) {
                               view.xmin, view.ymin, view.xmax, view.ymax));
   }
   const double longer = std::max(domain.xmax - domain.xmin, domain.ymax - domain.ymin);
-  // Another error says what is wrong with the domain.
+  // Another error reports what is wrong with the domain.
   if (!(longer > 0) || !std::isfinite(longer)) return {};
   const PictureFrame frame = shownFrame(options);
   const double pixel = std::min(width / frame.width, height / frame.height);

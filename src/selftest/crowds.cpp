@@ -6,7 +6,7 @@
 
 namespace vorpipe::selftests {
 
-// Few crowds of few sites: their cells reach across the domain, and show by how much a bisector is turned.
+// Few crowds of few sites: their cells reach across the domain and reveal how far a bisector is turned.
 Scene crowds(double width, const Scale& scale) {
   constexpr int sites_of_one = 6;
   const std::uint64_t count = scale.of(2, 5);

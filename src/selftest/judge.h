@@ -1,4 +1,4 @@
-/// Whether what a device answered is right.
+/// Judges whether the results of a device are right.
 #pragma once
 
 #include <string>
@@ -9,7 +9,7 @@
 
 namespace vorpipe::selftests {
 
-/// A picture and cells of one scene, or why they are not there.
+/// A picture and cells of one scene, or the errors instead.
 struct Answers {
   Result<Rendering> picture;
   Result<Diagram> cells;
@@ -21,15 +21,15 @@ Answers answer(Runs& runs, const Scene& scene, const Progress& progress);
 /// Whether the caller's progress stopped the run.
 bool wasCancelled(const Answers& answers);
 
-/// What the runs' reports note.
+/// The notes in the runs' reports.
 std::vector<std::string> notesOf(const Answers& answers);
 
-/// What check() finds in them first, in one line; empty if nothing. `refusable`: that the scene is refused
-/// as input is right. Answers that no device gave, as an error, are a fault.
+/// The first fault that check() finds in them, in one line; empty if none. `refusable`: refusing the scene as
+/// input is correct. Any other missing answer (an error) is a fault.
 std::string faultByCheck(const Answers& answers, const Scene& scene, bool refusable, int threads);
 
-/// How they differ from the judge's, in one line; empty if they do not. Answers that the judge has none for
-/// cannot differ.
+/// How they differ from the judge's answers, in one line; empty if they do not. Where the judge has no
+/// answers, there is no difference.
 std::string faultByJudge(const Answers& answers, const Answers& judges, const Scene& scene);
 
 }  // namespace vorpipe::selftests

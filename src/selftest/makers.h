@@ -1,14 +1,14 @@
-/// The scenes, by what is hard about them.
+/// The scenes, grouped by their difficulty.
 #pragma once
 
 #include "selftest/scene.h"
 
 namespace vorpipe::selftests {
 
-// even.cpp: sites as most people have them
+// even.cpp: typical sites
 Scene patternScene(Pattern pattern, std::uint64_t sites, const Scale& scale);
 Scene spiral(const Scale& scale);
-/// Cells of hundreds of pixels, whose corners floats must place well.
+/// Cells of hundreds of pixels, whose corners need accurate floats.
 Scene fewSites(std::uint64_t sites, const Scale& scale);
 Scene manySites(const Scale& scale);
 /// Wider than any view.
@@ -18,7 +18,7 @@ Scene ringOutline(const Scale& scale);
 
 // weights.cpp
 Scene randomWeights(const Scale& scale);
-/// Weights |p|^2 of places near a lattice: all cells all but meet in one point.
+/// Weights |p|^2 of places near a lattice: all cells nearly meet in one point.
 Scene liftedTwins(std::uint64_t sites, double noise, const Scale& scale);
 
 // scales.cpp: coordinates that are very small, large or far away
@@ -29,7 +29,7 @@ Scene farAway(double distance, const Scale& scale);
 Scene crowds(double width, const Scale& scale);
 Scene nearTwins(const Scale& scale);
 
-// slivers.cpp: a small domain that cuts cells where they all but meet
+// slivers.cpp: a small domain that cuts cells where they nearly meet
 Scene circleInSmallDomain(const Scale& scale);
 Scene latticeInSmallDomain(const Scale& scale);
 

@@ -19,8 +19,8 @@ class Random {
     return low + (high - low) * std::ldexp(static_cast<double>(engine_() >> 11), -53);
   }
 
-  /// A coordinate of one of `side` lattice points that begin at 0 and are `spacing` apart. About half of them
-  /// are moved by up to `noise`.
+  /// A coordinate of one of `side` lattice points that begin at 0 with a distance of `spacing`. About half of
+  /// them are moved by up to `noise`.
   double nearLattice(std::uint64_t side, double spacing, double noise) {
     const double exact = spacing * static_cast<double>(whole(side));
     return whole(2) == 0 ? exact : exact + noise * between(0, 1);

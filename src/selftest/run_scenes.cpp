@@ -13,7 +13,7 @@
 namespace vorpipe::selftests {
 namespace {
 
-/// How many times a scene that depends on a seed is run, each time with another seed.
+/// Number of runs of a scene that depends on a seed, each with another seed.
 constexpr std::uint64_t rounds = 6, quick_rounds = 1, quick_often = 4;
 
 std::string textOf(const Mask& mask) {
@@ -24,7 +24,7 @@ std::string textOf(const Mask& mask) {
   return text;
 }
 
-/// A device, which is opened when a scene first asks for it under a mask, and again after it failed.
+/// A device, opened when a scene first needs it under a mask, and again after a failure.
 class Opened {
  public:
   explicit Opened(OpenRuns open) : open_(std::move(open)) {}
@@ -92,8 +92,8 @@ class Test {
   [[nodiscard]] double steps() const;
   [[nodiscard]] std::uint64_t roundsOf(const SceneKind& kind) const;
   [[nodiscard]] SelftestDevice& device(std::size_t index) { return report_.devices[tested_[index].device]; }
-  /// A progress for one run that names `what` instead of the run's stages. It stops the run where the
-  /// caller's progress asks for that.
+  /// A progress for one run that reports `what` instead of the run's stages. It stops the run if the caller's
+  /// progress asks for that.
   [[nodiscard]] Progress stopping(std::string what) {
     if (!options_.progress) return {};
     return [this, what = std::move(what)](std::string_view, double) { return goesOn(what); };
@@ -105,7 +105,7 @@ class Test {
   SelftestReport& report_;
   Opened judge_;
   std::vector<Opened> opened_;
-  double done_ = 0;  ///< rounds on devices
+  double done_ = 0;  ///< number of rounds on devices done
 };
 
 tl::unexpected<Error> cancelled() { return tl::unexpected(Error{ErrorCode::cancelled, "cancelled"}); }
@@ -194,7 +194,7 @@ Result<void> Test::runOn(std::size_t index, const Round& round, const Answers& j
     run.notes = notesOf(answers);
     run.fault = faultByCheck(answers, round.scene, round.refusable(), options_.threads);
     if (run.fault.empty()) run.fault = faultByJudge(answers, judges, round.scene);
-    // The device's answers pass the check, but there are no right answers of the judge to compare them with.
+    // The device's answers pass the check, but the judge has no right answers to compare them with.
     if (run.fault.empty() && !judges_fault.empty()) run.fault = "cpu cannot judge it: " + judges_fault;
     if (deviceFailed(answers)) opened_[index].close(round.kind.masked);
   }
@@ -224,7 +224,7 @@ std::string arithmeticFault(const Arithmetic& measured, int subpixel_bits) {
     if (found > allowed)
       return fmt::format("{} is off by {:.2f} ULP, where {} are allowed", what, found, allowed);
   }
-  // The measurement cannot tell more than most_subpixel_bits apart.
+  // The measurement cannot distinguish more than most_subpixel_bits.
   if (measured.subpixel_bits && *measured.subpixel_bits < std::min(subpixel_bits, most_subpixel_bits)) {
     return fmt::format("vertices are snapped to {} sub-pixel bits, where {} are reported",
                        *measured.subpixel_bits, subpixel_bits);

@@ -9,17 +9,17 @@
 
 namespace vorpipe::selftests {
 
-/// A device that can be used, and how it is opened.
+/// A usable device, and how to open it.
 struct Tested {
   std::size_t device;  ///< index in SelftestReport::devices
   OpenRuns open;
   bool is_judge;  ///< the backend that all others are compared with
-  bool masked;    ///< whether masks mean anything to it
+  bool masked;    ///< whether masks have an effect on it
 };
 
 /// Runs scenes of all `kinds` on all devices of `tested`. Fills in the runs and the arithmetic of each device
-/// in `report`. `judge` opens the backend whose answers are compared with theirs. Error (cancelled): the
-/// progress said so; (device): the judge cannot be opened.
+/// in `report`. `judge` opens the backend that they are compared with. Errors: the progress asked to stop
+/// (cancelled); the judge cannot be opened (device).
 Result<void> runScenes(std::span<const SceneKind> kinds, const std::vector<Tested>& tested,
                        const OpenRuns& judge, const SelftestOptions& options, SelftestReport& report);
 

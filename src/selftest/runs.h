@@ -1,4 +1,4 @@
-/// What is tested: pictures and cells of one device.
+/// The functions under test: pictures and cells of one device.
 #pragma once
 
 #include <functional>
@@ -19,7 +19,7 @@ class Runs {
 /// Opens the device with a mask.
 using OpenRuns = std::function<Result<std::unique_ptr<Runs>>(const Mask& mask)>;
 
-/// Those of a session that options open; with the limits of a mask besides their own.
+/// The runs of a session opened with `options`; masks add their limits to the options' own.
 OpenRuns sessionRuns(const BackendOptions& options);
 
 }  // namespace vorpipe::selftests

@@ -1,4 +1,4 @@
-/// What devices are tested with.
+/// Scenes that devices are tested with.
 #pragma once
 
 #include <cstdint>
@@ -9,7 +9,7 @@
 
 namespace vorpipe::selftests {
 
-/// Sites, and what is made of them.
+/// Sites, and the options for their cells and picture.
 struct Scene {
   Sites sites;
   Box domain{0, 0, 1, 1};
@@ -18,26 +18,26 @@ struct Scene {
   int width = 256, height = 256;  ///< of the picture
 };
 
-/// What a scene is made from.
+/// Parameters of a scene.
 struct Scale {
   bool quick;
   std::uint64_t seed;
-  /// A number for quick tests, and one for others.
+  /// Chooses `few` for quick tests, else `many`.
   [[nodiscard]] std::uint64_t of(std::uint64_t few, std::uint64_t many) const { return quick ? few : many; }
 };
 
-/// Limits that are lowered for a scene. A device is opened anew for each of these.
+/// Limits lowered for a scene. A device is reopened for each of these.
 enum class Masked : std::uint8_t {
   nothing,
-  limits,  ///< few sites and bins at once, few cells in one call
+  limits,  ///< few sites and bins at once, few cells per call
   bits,    ///< vertices on a coarse grid
 };
 
 enum class Traits : std::uint8_t {
-  once = 0,     ///< made with one seed, or without
+  once = 0,     ///< made with one seed or none
   random = 1,   ///< other seeds give other scenes
-  often = 2,    ///< and only some are hard: a quick test has several
-  extreme = 3,  ///< beyond the numbers that work: that it is refused is right, a wrong result is not
+  often = 2,    ///< likewise, but only some are hard: a quick test has several
+  extreme = 3,  ///< beyond the supported range: it may be refused, but a wrong result is a fault
 };
 
 struct SceneKind {
@@ -47,7 +47,7 @@ struct SceneKind {
   Scene (*make)(const Scale& scale);
 };
 
-/// All of them; those of a group one after another.
+/// All kinds; those of a group follow each other.
 std::span<const SceneKind> sceneKinds();
 
 Mask maskOf(Masked masked, const Scale& scale);

@@ -24,7 +24,7 @@ Scene repeated(const Scale& scale) {
   return periodic(axes, scale);
 }
 
-// Powers of ten, because numbers are no arguments of templates everywhere.
+// Powers of ten, because not all compilers accept floating-point template arguments.
 constexpr double tenTo(int power) {
   double result = 1;
   for (int i = 0; i < (power < 0 ? -power : power); i++) result *= 10;

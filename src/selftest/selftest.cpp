@@ -45,8 +45,8 @@ bool isNamed(const SelftestDevice& device, std::string_view wanted) {
   return lower(device.info.name).find(lower(wanted)) != std::string::npos;
 }
 
-/// Those that the options name. Errors (device): there is none, or none that can be used although the options
-/// name some.
+/// The devices that the options name. Errors (device): there is none, or the options name some and none is
+/// usable.
 Result<std::vector<SelftestDevice>> namedDevices(const SelftestOptions& options) {
   const auto names = backendNames();
   if (!options.backend.empty() && std::ranges::find(names, options.backend) == names.end()) {
@@ -74,7 +74,7 @@ Result<std::vector<SelftestDevice>> namedDevices(const SelftestOptions& options)
   return tl::unexpected(Error{ErrorCode::device, named.front().info.reason});
 }
 
-/// How a device is opened: with validation, unless that is why it cannot be.
+/// Options for opening a device: with validation, unless validation prevents that.
 BackendOptions optionsOf(SelftestDevice& device, const SelftestOptions& options) {
   BackendOptions opened;
   opened.name = device.info.backend;

@@ -10,7 +10,7 @@ using Json = nlohmann::ordered_json;
 
 Json textOrNull(const std::string& text) { return text.empty() ? Json(nullptr) : Json(text); }
 
-/// JSON knows no infinity, which stands for results that are no numbers.
+/// JSON has no infinity, which stands for results that are NaN.
 Json ulp(double error) { return std::isfinite(error) ? Json(error) : Json("no number"); }
 
 Json runJson(const SelftestRun& run) {

@@ -1,4 +1,4 @@
-/// What a self-test found, as JSON.
+/// The results of a self-test as JSON.
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>
@@ -7,7 +7,7 @@
 
 namespace vorpipe {
 
-/// Everything that was found, with each scene.
+/// All results, including each scene.
 nlohmann::ordered_json selftestJson(const SelftestReport& report);
 
 }  // namespace vorpipe

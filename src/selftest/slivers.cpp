@@ -8,7 +8,7 @@ constexpr Box small_domain{0.25, 0.25, 0.5, 0.75};
 
 }  // namespace
 
-// The cells of the circle all but meet in its center, in the middle of a wall.
+// The cells of the circle nearly meet in its center, in the middle of a wall.
 Scene circleInSmallDomain(const Scale& scale) {
   Scene scene = patternScene(Pattern::circle, scale.of(120, 1200), scale);
   Random random(scale.seed);
@@ -18,7 +18,7 @@ Scene circleInSmallDomain(const Scale& scale) {
   return scene;
 }
 
-// The bisectors of its places are the domain's walls, or end in its corners.
+// The bisectors of its lattice points are the domain's walls, or end in its corners.
 Scene latticeInSmallDomain(const Scale& scale) {
   constexpr std::uint64_t side = 3;
   const std::uint64_t count = scale.of(120, 240);

@@ -7,7 +7,7 @@ Scene randomWeights(const Scale& scale) {
   const std::uint64_t count = scale.of(600, 6000);
   Scene scene = patternScene(Pattern::random, count, scale);
   Random random(scale.seed);
-  // In squares of the mean distance, so that some sites are hidden and most are not.
+  // In units of the squared mean distance, so that some sites are hidden and most are not.
   for (std::uint64_t i = 0; i < count; i++) {
     scene.sites.weight.push_back(random.between(-1, 1) / static_cast<double>(count));
   }

@@ -23,14 +23,14 @@ float anyNumber(std::mt19937_64& random) {
   return std::bit_cast<float>(static_cast<std::uint32_t>(bits & 0x807FFFFFu) | exponent << 23);
 }
 
-/// In [2^exponent, 2^(exponent + 1)).
+/// Random number in [2^exponent, 2^(exponent + 1)).
 float numberFrom(std::mt19937_64& random, int exponent) {
   const auto bits = static_cast<std::uint32_t>(random()) & 0x7FFFFFu;
   return std::ldexp(std::bit_cast<float>(0x3F800000u | bits), exponent);
 }
 
-/// For the expressions of one operation. c takes the rounded product away: what is left of a b + c is its
-/// rounding error if product and sum are one operation, else nothing.
+/// Operands for expressions of one operation. c is minus the rounded product. So a b + c is its rounding
+/// error if product and sum are fused into one operation, else 0.
 std::vector<Operands> anyOperands(std::mt19937_64& random) {
   std::vector<Operands> rows(rows_of_a_kind);
   for (Operands& row : rows) {
@@ -42,7 +42,7 @@ std::vector<Operands> anyOperands(std::mt19937_64& random) {
   return rows;
 }
 
-/// As high and low parts of coordinates are: both differences are exact, if they are taken first.
+/// Operands like high and low parts of coordinates: both differences are exact, if they are computed first.
 std::vector<Operands> coordinates(std::mt19937_64& random) {
   std::vector<Operands> rows(rows_of_a_kind);
   for (Operands& row : rows) {
@@ -55,7 +55,7 @@ std::vector<Operands> coordinates(std::mt19937_64& random) {
 constexpr Operands for_denormal_product{0x1p-100F, 0x1p-30F, 0, 0};
 constexpr Operands for_denormal_sum{0x1p-131F, 0x1p-131F, 0, 0};
 
-/// Infinite where `found` is no number.
+/// Returns infinity if `found` is not a number.
 double errorInUlp(float found, double exact) {
   if (exact == 0) return found == 0 ? 0 : HUGE_VAL;
   const double error = std::abs(found - exact);
@@ -63,7 +63,7 @@ double errorInUlp(float found, double exact) {
   return std::ldexp(error, 23 - std::ilogb(exact));
 }
 
-// Double has more than twice the digits of float: a quotient, a root or a sum that it rounds is exact enough.
+// Double has more than twice the digits of float: its rounded quotients, roots and sums are exact enough.
 void compareOperations(const Operands& row, const Computed& found, Arithmetic& worst) {
   const double a = row.a, b = row.b, root = std::sqrt(std::abs(a));
   const auto take = [](double& most, double error) { most = std::max(most, error); };

@@ -5,7 +5,7 @@
 
 namespace vorpipe::core {
 
-/// What Session::arithmetic does, on an open backend.
+/// Implements Session::arithmetic on an open backend.
 Result<Arithmetic> measureArithmetic(Backend& backend);
 
 }  // namespace vorpipe::core

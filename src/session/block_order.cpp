@@ -6,14 +6,14 @@
 namespace vorpipe::core {
 namespace {
 
-/// Blocks for `places`, along one side of the grid: some places to each.
+/// Returns the number of blocks along one side of the grid, for a few places per block.
 std::uint32_t sideFor(std::size_t places) {
   constexpr double places_per_block = 4, most = 512;
   return static_cast<std::uint32_t>(
       std::clamp(std::sqrt(static_cast<double>(places) / places_per_block), 1.0, most));
 }
 
-/// Also for what is no number.
+/// Also accepts NaN.
 std::uint32_t blockAlong(double place, double low, double high, std::uint32_t side) {
   const double along = (place - low) / (high - low) * side;
   if (!(along > 0)) return 0;

@@ -1,4 +1,4 @@
-/// An order in which places near each other follow each other.
+/// A spatially coherent order of places.
 #pragma once
 
 #include <cstdint>
@@ -9,8 +9,8 @@
 
 namespace vorpipe::core {
 
-/// The indices of places, block by block of a grid over a box; any place has a block, one beyond the box that
-/// at its border.
+/// Returns the indices of places, grouped by the blocks of a grid over a box. A place beyond the box belongs
+/// to the nearest block at the border.
 std::vector<std::uint32_t> orderByBlocks(std::span<const Point> places, const Box& box);
 
 }  // namespace vorpipe::core

@@ -8,10 +8,10 @@
 namespace vorpipe::core {
 namespace {
 
-/// Views smaller than this take so little that there must be less of something else.
+/// Views smaller than this need so little memory that something else must shrink.
 constexpr int small_view = 512;
 
-/// Half of what was given, if that lowers the bound. Whether it does.
+/// Lowers the bound to half of the given amount. Returns whether that lowers it.
 template <class Number>
 bool halve(std::uint64_t given, Number least, Number& bound) {
   const auto half = std::max<std::uint64_t>(given / 2, static_cast<std::uint64_t>(least));
@@ -96,7 +96,7 @@ Result<void> BoundedBackend::read(std::span<std::uint32_t> rgba, std::span<std::
   return call(Call::picture, [&] { return ForwardingBackend::read(rgba, ids); });
 }
 
-/// What was too much for the memory that was left may have been given by a call before.
+/// An earlier call may have caused the lack of memory.
 std::optional<Bounds> BoundedBackend::smaller() const {
   if (!failure_) return std::nullopt;
   Bounds bounds = bounds_;
@@ -110,7 +110,7 @@ std::optional<Bounds> BoundedBackend::smaller() const {
     lower(halve(given_.entries, least_bounds.entries, bounds.entries));
     lower(halve(given_.lines, least_bounds.lines, bounds.lines));
   }
-  // Where nothing else can be less, neither can a picture's view be left as it is.
+  // If nothing else can shrink, a picture's view must.
   if (failed_ == Call::picture || !any) {
     lower(halve(static_cast<std::uint64_t>(given_.view), least_bounds.view, bounds.view));
   }

@@ -1,4 +1,4 @@
-/// A backend that is given less at a time than it says it takes.
+/// A backend that gets less work at a time than it claims to take.
 #pragma once
 
 #include <limits>
@@ -8,21 +8,21 @@
 
 namespace vorpipe::core {
 
-/// The most that a device is given at a time.
+/// Upper bounds on the work that a device gets at a time.
 struct Bounds {
-  std::uint64_t sites = std::numeric_limits<std::uint64_t>::max();  ///< and bins of their grid
+  std::uint64_t sites = std::numeric_limits<std::uint64_t>::max();  ///< and of bins of their grid
   std::uint64_t lines = std::numeric_limits<std::uint64_t>::max();
   std::uint32_t entries = std::numeric_limits<std::uint32_t>::max();
   int view = std::numeric_limits<int>::max();
 };
 
-/// What bounds are never lowered below: a device without memory for that is of no use.
+/// Minimum of all bounds: a device without memory for this much is useless.
 inline constexpr Bounds least_bounds{4096, 4096, 1024, 64};
 
-/// Passes every call on, keeps to bounds, and remembers the call that failed.
+/// Forwards every call, keeps it within the bounds, and remembers the call that failed.
 class BoundedBackend final : public ForwardingBackend {
  public:
-  /// `uploads` counts calls of upload(), if it is not null.
+  /// `uploads`, if not null, counts calls of upload().
   BoundedBackend(Backend& backend, const Bounds& bounds, std::uint64_t* uploads = nullptr);
 
   const BackendInfo& info() const override { return info_; }
@@ -38,16 +38,17 @@ class BoundedBackend final : public ForwardingBackend {
                              std::span<const std::uint32_t> corner_of) override;
   Result<void> read(std::span<std::uint32_t> rgba, std::span<std::uint32_t> ids) override;
 
-  /// The error of the first call that failed, if one did.
+  /// The error of the first failed call, if any.
   [[nodiscard]] const std::optional<Error>& failure() const { return failure_; }
 
-  /// After a failure, bounds that have half of what was too much; none where that is the least already.
+  /// After a failure, returns bounds with half of the amount that was too much; none if that is already
+  /// minimal.
   [[nodiscard]] std::optional<Bounds> smaller() const;
 
  private:
   enum class Call : std::uint8_t { upload, clip, picture };
 
-  /// How much the device was given.
+  /// The amounts last passed to the device.
   struct Given {
     std::uint64_t sites = 0, bins = 0, lines = 0, entries = 0;
     int view = 0;

@@ -1,4 +1,4 @@
-/// The edges of cells in a box, as solvers ask for them.
+/// The edges of cells in a box, as solvers need them.
 #pragma once
 
 #include "domain/density_pixels.h"
@@ -6,8 +6,8 @@
 
 namespace vorpipe::core {
 
-/// Of cells that findMoments() found, in the order of `meet`, which neighborsOf() made of them. `pixels` may
-/// be null: there is no density.
+/// Returns the edges of cells that findMoments() found, in the order of `meet`, the result of neighborsOf()
+/// for them. `pixels` is null if there is no density.
 EdgesOfCells edgesOf(const FoundBox& found, const CellsThatMeet& meet, const DensityPixels* pixels,
                      int threads);
 

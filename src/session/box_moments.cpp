@@ -16,8 +16,8 @@ void countStatus(Status status, Report& report) {
   ++(status == Status::ok ? report.ok : status == Status::empty ? report.empty : report.duplicate);
 }
 
-/// Fills the moments but for the spread, which is there. The centroid of a site without a cell is the site,
-/// as the caller has it to the last bit.
+/// Fills the moments except the spread, which is there already. The centroid of a site without a cell is the
+/// site, equal to the caller's to the last bit.
 void takeMoments(const Sites& sites, std::span<const CellRecord> records, int threads, CellMoments& moments) {
   const auto count = records.size();
   moments.status.resize(count);
@@ -36,7 +36,7 @@ void takeMoments(const Sites& sites, std::span<const CellRecord> records, int th
   });
 }
 
-/// findMoments, where agree(run, report) agrees on cells, or on none.
+/// Implements findMoments; agree(run, report) returns the agreed cells, or none.
 template <class Agree>
 Result<Report> findBy(const Agree& agree, const Machine& machine, const Sites& sites, const Box& domain,
                       FoundBox& found, CellMoments& moments) {

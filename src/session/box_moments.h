@@ -1,4 +1,4 @@
-/// Cells of sites in a box, measured without being written as polygons.
+/// Measures cells of sites in a box without building polygons.
 #pragma once
 
 #include <memory>
@@ -9,23 +9,23 @@
 
 namespace vorpipe::core {
 
-/// What the last diagram was found with. It stays until the next one: neighbors are written when they are
-/// asked for.
+/// Search results of the last diagram. They stay until the next one, since neighbors are written only on
+/// request.
 struct FoundBox {
   std::unique_ptr<SiteRun> run{};
   std::optional<AgreedCells> cells{};
 };
 
-/// Replaces `found` and `moments`, whose arrays are used again. Errors: as Session::cells'.
+/// Replaces `found` and `moments` and reuses their arrays. Errors: those of Session::cells.
 Result<Report> findMoments(const Machine& machine, const Sites& sites, const CellsOptions& options,
                            FoundBox& found, CellMoments& moments);
 
-/// The same, but where it is proved that a site has no cell, `found` has no cells and `moments` may be of
-/// any.
+/// The same, except if some site provably has no cell: then `found` has no cells, and the values of `moments`
+/// are unspecified.
 Result<Report> findMomentsUnlessEmpty(const Machine& machine, const Sites& sites, const CellsOptions& options,
                                       FoundBox& found, CellMoments& moments);
 
-/// The neighbors of cells that findMoments() found.
+/// Returns the neighbors of cells that findMoments() found.
 CellsThatMeet neighborsOf(const FoundBox& found, int threads);
 
 }  // namespace vorpipe::core

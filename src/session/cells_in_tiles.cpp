@@ -22,12 +22,12 @@ using namespace core;
 
 namespace {
 
-/// Of the sites of a tile, those that are found apart wait until they are this part of it.
+/// Open cells are settled once they number a tile's usual sites divided by this.
 constexpr std::uint64_t open_at_once = 8;
 
 constexpr std::size_t cells_in_tiles_grain = std::size_t{1} << 13;
 
-/// What there is of some cells together.
+/// Sums over some cells.
 struct Sums {
   DoubleDouble area;
   std::uint64_t ok = 0, empty = 0, duplicate = 0;
@@ -40,7 +40,7 @@ struct Sums {
   }
 };
 
-/// Adds what one run did to what all did.
+/// Adds one run's report to the total.
 void addReport(const Report& from, Report& to) {
   to.backend = from.backend;
   to.device = from.device;
@@ -178,7 +178,7 @@ class TiledRun {
   std::vector<CellMeasures> measures_;
 };
 
-/// Refuses areas that do not add up to the domain's, as Session::cells does.
+/// Refuses areas that do not add up to the domain's, as in Session::cells.
 Result<void> checkSum(const TiledReport& made, const Box& domain) {
   const double area = (domain.xmax - domain.xmin) * (domain.ymax - domain.ymin);
   const double gap = std::isnormal(area) ? made.area_sum / area - 1 : 0;
@@ -213,7 +213,7 @@ Result<TiledReport> CellsInTiles::measure(const SitesInPlace& sites, const Cells
     if (!cells) return tl::unexpected(cells.error());
     const double order_ms = watch.milliseconds();
     Progress go_on;
-    // The part of a tile that is done is not told: stages of each would begin again and again.
+    // Progress within a tile is not reported: the stages would restart for each tile.
     double done = 0;
     if (options_.progress) {
       go_on = [&](std::string_view, double) { return options_.progress("cells in tiles", done); };

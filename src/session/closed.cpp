@@ -12,7 +12,7 @@ namespace vorpipe::core {
 namespace {
 
 constexpr std::size_t closed_grain = 4096;
-/// Sites that are as near to a corner as its own, but for this part of their distance, may be a tie.
+/// Relative tolerance of distances: other sites that are about as near to a corner as its own may be a tie.
 constexpr double beyond = 1e-4;
 
 bool isWithin(const Box& box, const CornerDisc& disc) {
@@ -80,7 +80,7 @@ std::vector<std::uint32_t> openCells(const PartSites& part, const PartCells& cel
   const bool is_whole = known.longest == std::numeric_limits<double>::infinity();
   std::vector<std::uint32_t> open;
   for (std::uint32_t i = 0; i < is_open.size(); ++i) {
-    // What lies outside of the domain may have its cell in another tile.
+    // A site outside of the domain may have its cell in another tile.
     const bool elsewhere = !is_whole && part.own[i] != 0 && cells.agreed.records[i].status == Status::empty;
     if (is_open[i] != 0 || elsewhere) open.push_back(i);
   }

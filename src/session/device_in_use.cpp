@@ -39,8 +39,8 @@ void DeviceInUse::take(OpenedBackend opened) {
   ++uploads_;
 }
 
-/// A device that failed is opened again for the next run: what was lost may be there again, and the memory
-/// that it held is given back in between.
+/// Opens a failed device again for the next run. A lost device may be back, and the memory that it held is
+/// released in between.
 Result<void> DeviceInUse::reopen() {
   if (opened_.backend) return {};
   auto opened = openBackend(options_);
@@ -50,7 +50,7 @@ Result<void> DeviceInUse::reopen() {
   return {};
 }
 
-/// Turns to less at a time, or to the next backend, and says so in `notes`; false if neither is left.
+/// Switches to less at a time, or to the next backend, and adds a note; false if neither is left.
 bool DeviceInUse::fallBack(const Error& failure, const BoundedBackend& failed,
                            std::vector<std::string>& notes) {
   const auto less = failure.out_of_memory ? failed.smaller() : std::nullopt;
@@ -80,7 +80,7 @@ bool DeviceInUse::fallBack(const Error& failure, const BoundedBackend& failed,
   return false;
 }
 
-/// One line that also says what was tried before.
+/// Adds the earlier tries to the message, in one line.
 Error DeviceInUse::withEarlier(Error error, const std::vector<std::string>& notes) {
   if (!notes.empty()) error.message += fmt::format("; before that: {}", fmt::join(notes, "; "));
   return error;

@@ -1,5 +1,5 @@
-/// The device of a session, which goes on with less at a time where it refuses memory, and with the next
-/// backend where the caller left the choice.
+/// The device of a session. If it refuses memory, it continues with less at a time. If the caller left the
+/// choice, the next backend takes over after a failure.
 #pragma once
 
 #include <functional>
@@ -18,11 +18,11 @@ class DeviceInUse {
   /// Errors: those of openBackend.
   static Result<DeviceInUse> open(const BackendOptions& options);
 
-  /// Calls work with the backend, as often as it takes: with less at a time while the device refuses memory
-  /// and there is something to halve; then, under a name that leaves a choice, with the next backend that
-  /// opens. work begins anew each time. Made has a `report`, to which is added what became of earlier tries.
-  /// Errors: those of work; that of the last backend, if all of them failed. An error that work makes of an
-  /// answer is one of the device.
+  /// Calls work with the backend until it succeeds or nothing is left to try. While the device refuses memory
+  /// and a bound can be halved, retries with less at a time. Then, if the backend's name leaves a choice,
+  /// retries with the next backend that opens. Each try starts work anew. Made has a `report`, which also
+  /// receives the outcome of earlier tries. Errors: those of work; that of the last backend if all of them
+  /// failed. An error that work derives from an answer is a device error.
   template <class Made, class Work>
   Result<Made> run(const Work& work) {
     std::vector<std::string> notes, messages;
@@ -42,7 +42,7 @@ class DeviceInUse {
     }
   }
 
-  /// How often a run uploaded something, and how often a device was opened, which holds nothing then.
+  /// Number of uploads and of device openings; a newly opened device holds no data.
   [[nodiscard]] const std::uint64_t& uploads() const { return uploads_; }
 
   [[nodiscard]] const DeviceInfo& info() const { return info_; }

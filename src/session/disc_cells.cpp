@@ -36,7 +36,7 @@ class CellCutter {
       take(cell, cut_.cut(corners_, lines_, squared_radius), site);
       return;
     }
-    // From the first corner; a position's second part is the finer one.
+    // Relative to the first corner; a position's second part is the finer one.
     const Point center{-corners_[0].x, -corners_[0].y};
     for (std::size_t e = 0; e < corners.size(); ++e) corners_[e] = wayBetween(corners[0], corners[e]);
     take(cell, cut_.cutFar(corners_, center, squared_radius), positionOf(corners[0]));

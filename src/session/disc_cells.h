@@ -1,25 +1,25 @@
-/// Cells in a box with a free surface: what discs around the sites have of them.
+/// Cells in a box with a free surface: the parts of cells inside discs around the sites.
 #pragma once
 
 #include "session/box_moments.h"
 
 namespace vorpipe::core {
 
-/// Refuses what a free surface cannot have so far. Errors (input).
+/// Refuses options that a free surface does not support yet. Errors (input).
 Result<void> checkFreeSurface(const CellsOptions& options, const Density& density);
 
-/// What is kept of the last cells for their edges, by input index.
+/// Data of the last cells that their edges need, by input index.
 struct FreeSurface {
   std::vector<double> weight;
-  std::vector<double> arc;  ///< as EdgesOfCells::arc
+  std::vector<double> arc;  ///< as in EdgesOfCells::arc
 };
 
-/// Takes from the moments of cells that findMoments() found what lies outside of the discs around their
-/// sites, whose squared radii are the weights. Cells of which nothing is left are empty.
+/// Removes the parts outside of the discs from the moments of cells that findMoments() found. The weights are
+/// the squared radii of the discs around the sites. Cells with nothing left are empty.
 void cutByDiscs(const FoundBox& found, const Sites& sites, int threads, CellMoments& moments, Report& report,
                 FreeSurface& surface);
 
-/// Of these cells, as edgesOf().
+/// Returns the edges of these cells, as edgesOf() does.
 EdgesOfCells edgesInDiscs(const FoundBox& found, const FreeSurface& surface, const CellsThatMeet& meet,
                           int threads);
 

@@ -35,8 +35,8 @@ class ChordWriter {
     double length;
   };
 
-  /// What the disc of `cell` has of its edge to `neighbor`. Both cells of an edge ask for it in the same way,
-  /// so that they get the same numbers, to the bit.
+  /// Returns the part of the edge to `neighbor` inside the disc of `cell`. Both cells of an edge compute it
+  /// in the same way, so that they get the same numbers, to the bit.
   [[nodiscard]] Part partOf(std::uint32_t cell, std::int32_t neighbor, const AnchoredPoint& begin,
                             const AnchoredPoint& end) const {
     const Point site = discs_.siteOf(cell);

@@ -9,7 +9,7 @@
 
 namespace vorpipe::core {
 
-/// In scaled units; what it is made of outlives it.
+/// All values are in scaled units. The constructor's arguments outlive the object.
 class Discs {
  public:
   /// `weight` is by input index, in the caller's units.
@@ -20,8 +20,8 @@ class Discs {
     return weight_.empty() ? 0 : std::ldexp(weight_[set_.id[cell]], 2 * exponent_);
   }
 
-  /// The line of the edge to `neighbor`, relative to the site of `cell`. It follows from the two sites, since
-  /// the ends of an edge may be so far from a small disc that they do not tell exactly where the line passes.
+  /// Returns the line of the edge to `neighbor`, relative to the site of `cell`. It is computed from the two
+  /// sites: the ends of an edge may be too far from a small disc to locate the line exactly.
   [[nodiscard]] EdgeLine lineOf(std::size_t cell, std::int32_t neighbor) const {
     if (neighbor < 0) return wallLine(cell, neighbor);
     const auto other = static_cast<std::size_t>(neighbor);
@@ -31,8 +31,8 @@ class Discs {
     return {{dx / distance, dy / distance}, (squared + lead) / (2 * distance)};
   }
 
-  /// Of two sites the one whose disc tells more exactly where their edge crosses the circles: that of the
-  /// smaller disc, and of equal ones that of the lower index.
+  /// Returns the site whose disc locates more exactly where the sites' edge crosses the circles. That is the
+  /// smaller disc, or the one of lower index if they are equal.
   [[nodiscard]] std::size_t smallerOf(std::size_t cell, std::size_t other) const {
     const double a = squaredRadius(cell), b = squaredRadius(other);
     return a < b || (a == b && set_.id[cell] < set_.id[other]) ? cell : other;

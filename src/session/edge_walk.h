@@ -1,4 +1,4 @@
-/// Goes through the edges of cells in a box, as solvers ask for them.
+/// Visits the edges of cells in a box, as solvers need them.
 #pragma once
 
 #include <vector>
@@ -9,16 +9,17 @@
 
 namespace vorpipe::core {
 
-/// One edge, and where its numbers stand in CellsThatMeet.
+/// One edge, and the index of its values in CellsThatMeet.
 struct WalkedEdge {
   std::uint32_t cell;
   std::int32_t neighbor;
-  const AnchoredPoint &begin, &end;  ///< as corners are before ties join them
+  const AnchoredPoint &begin, &end;  ///< corners before ties join them
   std::uint64_t out;
 };
 
-/// Calls take(edge) for each edge of cells that findMoments() found, but for ties, on several threads: each
-/// has a `take` of its own from makeTaker(). `meet` is what neighborsOf() made of the cells.
+/// Calls take(edge) for each edge of cells that findMoments() found, except those that ties remove. It runs
+/// on several threads; each has its own `take` from makeTaker(). `meet` is the result of neighborsOf() for
+/// the cells.
 template <class MakeTaker>
 void walkEdges(const FoundBox& found, const CellsThatMeet& meet, int threads, const MakeTaker& makeTaker) {
   constexpr std::size_t grain = 4096;

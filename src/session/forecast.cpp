@@ -20,7 +20,7 @@ std::uint64_t partOf(std::uint64_t number_, double part) {
 }
 
 MemoryPlan::Array planReserve(MemoryPlan& plan) {
-  // No gap between other arrays is as long.
+  // Longer than any gap between other arrays.
   constexpr std::uint64_t longest = std::uint64_t{1} << 50;
   return plan.take("a reserve", longest, plan.peak() / 24);
 }
@@ -48,7 +48,7 @@ PlannedSet planPrepare(MemoryPlan& plan, std::uint64_t sites, bool weighted) {
     set.sites.push_back(plan.take(what, sites * number));
     const auto all = plan.take(what, sites * word);
     plan.drop(all);
-    // The numbers of the bins, and a third as many above.
+    // The numbers of the bins, and a third as many for the levels above.
     set.sites.push_back(plan.take(what, binsOf(sites) * number * 4 / 3));
   }
   plan.drop(by_input);

@@ -1,4 +1,4 @@
-/// What Session::cells takes, array by array: each line stands for one of cells_run.cpp and of what it calls.
+/// Memory of Session::cells, array by array: each line stands for one of cells_run.cpp and its callees.
 #include <algorithm>
 #include <utility>
 
@@ -11,11 +11,11 @@ using namespace core;
 
 namespace {
 
-/// Edges that a cell is found with: 6 on average, since cells cover the plane, and where four cells meet in a
-/// point also some that one of two cells alone has.
+/// Edges that the search proposes per cell: 6 on average, since cells cover the plane, plus some that only
+/// one of two cells has, at points where four cells meet.
 constexpr double proposed_edges = 6.3;
 
-/// Plans findNeighbors; returns what remains of it.
+/// Plans findNeighbors; returns the arrays that remain.
 Arrays planNeighbors(MemoryPlan& plan, const Workload& work, std::uint64_t sites) {
   const DeviceNeeds needs = needsOf(work);
   const std::string_view rows = "neighbors of cells", search = "the search";
@@ -30,7 +30,7 @@ Arrays planNeighbors(MemoryPlan& plan, const Workload& work, std::uint64_t sites
     const auto slices = std::min(step, needs.devices * needs.slice);
     plan.take("answers of the device", slices * answer + step * needs.entry);
   }
-  // Where a device has only a part of its answers at a time, rows are put together from them.
+  // If a device returns its answers in parts, rows are assembled from them.
   const auto row = partOf(word, proposed_edges);
   for (std::uint64_t done = 0; done < sites; done += step) {
     const auto here = std::min(step, sites - done);
@@ -49,7 +49,7 @@ Arrays planNeighbors(MemoryPlan& plan, const Workload& work, std::uint64_t sites
     plan.drop(status);
   }
   plan.drop({rest, even, inside});
-  // All cells may come from a triangulation, in place of a device.
+  // All cells may come from a triangulation instead of a device.
   plan.drop({kept.begin() + 1, kept.end()});
   kept.resize(1);
   const auto wanted = plan.take(search, sites);
@@ -75,7 +75,7 @@ Arrays planTies(MemoryPlan& plan, const Workload& work, std::uint64_t sites) {
   const auto vertices = partOf(cells, 2);
   const auto rough = plan.take("the check of cells", sites);
   Arrays kept{plan.take(what, sites * word)};
-  // Lists that grow by doubling.
+  // These lists grow by doubling.
   const auto shorter = plan.take(what, cells * (number + word) / 2);
   kept.push_back(plan.take(what, cells * number));
   kept.push_back(plan.take(what, cells * word));
@@ -110,7 +110,7 @@ Arrays planArrays(MemoryPlan& plan, std::uint64_t sites, Detail detail) {
   return arrays;
 }
 
-/// Plans clipToOutline, which replaces all that there is for each edge.
+/// Plans clipToOutline, which replaces all arrays by edge.
 void planClipping(MemoryPlan& plan, const Workload& work, Arrays& arrays) {
   const auto edges = work.sites * mean_edges;
   const std::string_view what = "cells clipped to the outline";
@@ -120,12 +120,12 @@ void planClipping(MemoryPlan& plan, const Workload& work, Arrays& arrays) {
        {work.sites * number, work.sites * number, edges * point, edges * number, edges * number}) {
     arrays.push_back(plan.take(what, bytes));
   }
-  // What they replace is what makeArrays made first, second, fifth and eighth.
+  // They replace the first, second, fifth and eighth arrays of makeArrays.
   plan.drop({arrays[0], arrays[1], arrays[4], arrays[7], first, fate});
 }
 
-/// Plans boxDiagramOn for all sites, images among them. For pictures, and where cells are weighed, what they
-/// were found with stays.
+/// Plans boxDiagramOn for all sites, including images. For pictures, and for masses of cells, the data of the
+/// search stays.
 PlannedCells planRun(MemoryPlan& plan, const Workload& work, std::uint64_t sites, Detail detail,
                      ImagesFor purpose) {
   PlannedSet set = planPrepare(plan, sites, work.weighted);
@@ -135,8 +135,8 @@ PlannedCells planRun(MemoryPlan& plan, const Workload& work, std::uint64_t sites
   const Detail found = work.outlined ? std::max(detail, Detail::polygons) : detail;
   Arrays arrays = planArrays(plan, sites, found);
   const bool triangulated = detail == Detail::everything && !work.periodic;
-  // Where a tie hides a triangle, all are made anew: so in 1 of 8 random sets of a million sites, and 5 of 8
-  // of two million. No array of the mesh fits in a gap.
+  // If a tie hides a triangle, all are made anew. This happens in 1 of 8 random sets of a million sites, and
+  // 5 of 8 of two million. No array of the mesh fits in a gap.
   if (triangulated) plan.drop(planMesh(plan, work, sites));
   plan.drop(records);
   if (triangulated) {
@@ -146,10 +146,10 @@ PlannedCells planRun(MemoryPlan& plan, const Workload& work, std::uint64_t sites
   }
   if (work.outlined) planClipping(plan, work, arrays);
   planReserve(plan);
-  // The mesh of all sites leaves gaps in turn.
+  // The mesh of all sites also leaves gaps.
   if (triangulated && !work.weighted) planReserve(plan);
   if (triangulated && work.outlined) planReserve(plan);
-  // The search is the peak then: a second step, shorter than the first, leaves gaps of up to 10 %.
+  // Then the search is the peak: a second step, shorter than the first, leaves gaps of up to 10 %.
   if (found == Detail::measures && (work.weighted || sites > plannedStep(sites))) {
     planReserve(plan);
     if (!work.weighted) planReserve(plan);
@@ -161,7 +161,7 @@ PlannedCells planRun(MemoryPlan& plan, const Workload& work, std::uint64_t sites
   return {std::move(arrays), std::move(working)};
 }
 
-/// Plans periodicCellsOn around that: the sites as the domain takes them, and with their images.
+/// Plans periodicCellsOn around that: the sites as placed in the domain, and with their images.
 PlannedCells planPeriodic(MemoryPlan& plan, const Workload& work, Detail detail, ImagesFor purpose) {
   const std::string_view what = "sites and images";
   const auto all = work.sites + work.images;
@@ -186,8 +186,8 @@ PlannedCells planPeriodic(MemoryPlan& plan, const Workload& work, Detail detail,
   return cells;
 }
 
-/// Plans measureMass. What it takes beside the masses has no room in the reserve of the cells, which is used
-/// up where polygons are not wanted.
+/// Plans measureMass. Its memory beside the masses does not fit in the reserve of the cells, which is used up
+/// if polygons are not wanted.
 void planMasses(MemoryPlan& plan, const Workload& work, Arrays& arrays) {
   arrays.push_back(plan.take("masses", work.sites * number));
   arrays.push_back(plan.take("masses", work.sites * point));
@@ -206,7 +206,7 @@ PlannedCells core::planCellsFor(MemoryPlan& plan, const Workload& work, Detail d
   PlannedCells cells = work.periodic ? planPeriodic(plan, work, detail, until)
                                      : planRun(plan, work, work.sites, detail, until);
   Arrays& arrays = cells.diagram;
-  // Polygons that were not asked for.
+  // Polygons that were not requested.
   if (detail == Detail::measures && work.periodic) {
     plan.drop({arrays[0], arrays[1], arrays[2], arrays[3]});
   }

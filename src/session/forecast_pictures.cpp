@@ -1,4 +1,4 @@
-/// What Session::render takes, array by array: each line stands for one of picture.cpp and of what it calls.
+/// Memory of Session::render, array by array: each line stands for one of picture.cpp and its callees.
 #include <algorithm>
 #include <bit>
 
@@ -12,7 +12,7 @@ using namespace core;
 
 namespace {
 
-/// Plans what the device draws into, and the arrays that a view is read into.
+/// Plans the device's render targets, and the arrays that a view is read into.
 Arrays planViews(MemoryPlan& plan, const Workload& work, std::uint64_t width, std::uint64_t height) {
   const DeviceNeeds needs = needsOf(work);
   const auto largest = static_cast<std::uint64_t>(needs.largest_view);
@@ -27,7 +27,7 @@ Arrays planViews(MemoryPlan& plan, const Workload& work, std::uint64_t width, st
           plan.take("a view of the picture", view * needs.pool_pixel)};
 }
 
-/// Plans what a device takes to draw sites: the polygons of a slice at a time.
+/// Plans a device's memory for drawing sites: the polygons of a slice at a time.
 void planDrawing(MemoryPlan& plan, const Workload& work, std::uint64_t sites) {
   const DeviceNeeds needs = needsOf(work);
   planUpload(plan, work, sites, true);
@@ -48,10 +48,10 @@ Arrays planSearchAndDrawing(MemoryPlan& plan, const Workload& work, std::uint64_
   const auto even = plan.take("the search", sites * word);
   const auto rest = plan.take("the search", sites * word);
   planDrawing(plan, work, sites);
-  // The rows of cells that are left to the judge: of many sites some always are.
+  // The rows of cells left to the judge: with many sites there are always some.
   kept.push_back(plan.take("neighbors of cells", sites * (number + 2 * word)));
   append(kept, {even, rest});
-  // All cells may be left, and come from a triangulation, which stays with the session.
+  // All cells may be left to it, and come from a triangulation, which stays with the session.
   const auto lists = plan.take("the search", sites * (5 * word + 3));
   append(kept, planMesh(plan, work, sites));
   kept.push_back(plan.take("neighbors of cells", sites * (6 * word + number + word + 1)));
@@ -60,7 +60,7 @@ Arrays planSearchAndDrawing(MemoryPlan& plan, const Workload& work, std::uint64_
   return kept;
 }
 
-/// Plans cells that are known, drawn as polygons, some at a time.
+/// Plans known cells drawn as polygons, some at a time.
 Arrays planPolygons(MemoryPlan& plan, const Workload& work, std::uint64_t sites) {
   const DeviceNeeds needs = needsOf(work);
   Arrays kept{plan.take("the search", sites * word)};
@@ -78,7 +78,7 @@ Arrays planPolygons(MemoryPlan& plan, const Workload& work, std::uint64_t sites)
   return kept;
 }
 
-/// A tree of nanoflann over all sites, from which "cpu" draws.
+/// Plans a nanoflann tree over all sites, from which "cpu" draws.
 void planNearest(MemoryPlan& plan, const Workload& work, std::uint64_t sites) {
   if (work.backend != "cpu") return;
   // Leaves have up to sixteen sites, a dozen on average.
@@ -104,7 +104,7 @@ Arrays planScene(MemoryPlan& plan, const Workload& work) {
   return scene;
 }
 
-/// Whatever the colors: cells are known where weights or an outline ask for them.
+/// For any color: cells are known if weights or an outline require them.
 bool cellsAreKnown(const Workload& work, ColorBy color) {
   return color == ColorBy::area || color == ColorBy::neighbors || work.weighted || work.outlined;
 }
@@ -171,7 +171,7 @@ Arrays planPicture(MemoryPlan& plan, const Workload& work, const RenderOptions& 
   const auto width = static_cast<std::uint64_t>(options.width);
   const auto height = static_cast<std::uint64_t>(options.height);
   for (int k = 0; k < 2; ++k) image.push_back(plan.take("the picture", width * height * word));
-  // What searches leave in the heap, as measured up to two million sites.
+  // Memory that searches leave in the heap, measured up to two million sites.
   plan.take("the search", std::min<std::uint64_t>(9'000'000, 256 * work.sites));
   append(working, known ? planPolygons(plan, work, sites) : planSearchAndDrawing(plan, work, sites));
   const Arrays views = planViews(plan, work, width, height);
@@ -204,7 +204,7 @@ void planPictureCheck(MemoryPlan& plan, const Workload& work, int width, int hei
   const auto tree = plan.take("the check", work.sites * (2 * word + number));
   const auto owners = plan.take("the check", (slots + 2 * work.sites) * word);
   plan.drop(owners);
-  // Ids as they should be, and how each compares.
+  // Expected ids, and how each compares.
   const auto pixels = static_cast<std::uint64_t>(width) * static_cast<std::uint64_t>(height);
   const auto compared = plan.take("the check", pixels * (word + 1));
   plan.drop({compared, tree});

@@ -132,7 +132,7 @@ class PolygonCutter {
   std::vector<EdgeLine> lines_;
 };
 
-/// Replaces the polygons of a diagram by what discs have of them.
+/// Clips the polygons of a diagram to discs.
 void cutPolygons(const Sites& sites, const Box& domain, int points_of_turn, int threads, Diagram& diagram) {
   const std::size_t count = diagram.size();
   std::vector<Polygons> blocks((count + free_cells_grain - 1) / free_cells_grain);
@@ -175,7 +175,8 @@ Result<Diagram> freeCells(Session& session, const Sites& sites, const CellsOptio
     wanted.detail = Detail::polygons;
     auto cells = session.cells(sites, wanted);
     if (!cells) return cells;
-    // Where corners are ties, polygons have them in one place; numbers are those of the cells before.
+    // If corners are ties, polygons merge them into one place; the numbers are still those of the earlier
+    // cells.
     const CellMoments& moments = moving.moments();
     cells->status = moments.status;
     cells->area = moments.area;

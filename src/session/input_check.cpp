@@ -26,9 +26,9 @@ Result<void> checkSearch(const SearchOptions& search) {
 }
 
 Result<void> checkArea(const Box& domain) {
-  // A cell may have 1e-7 of the least: it still has all digits.
+  // A cell may have 1e-7 of the least area: it still has all digits.
   constexpr double least = 1e-301, most = 1e301;
-  // Corners that are nearer to each other become one: the cell of a flatter domain has no area.
+  // Corners closer than this merge: the cell of a flatter domain has no area.
   constexpr double flattest = 1e-12;
   const double width = domain.xmax - domain.xmin, height = domain.ymax - domain.ymin;
   const bool is_box = width > 0 && height > 0;
@@ -50,7 +50,7 @@ Result<void> checkArea(const Box& domain) {
   return {};
 }
 
-/// Masses, their sum and their moments are doubles with all digits.
+/// Ensures that masses, their sum and their moments are doubles with all digits.
 Result<void> checkMass(const Density& density, const Box& domain) {
   // Moments are those of up to 2^60 pixels; a cell may have 1e-7 of the least mass.
   constexpr double least_dense = 1e-280, most_dense = 1e280, least_mass = 1e-301, most_mass = 1e301;

@@ -1,13 +1,13 @@
-/// What is refused before anything is computed.
+/// Input checks before any computation.
 #pragma once
 
 #include "vorpipe.h"
 
 namespace vorpipe::core {
 
-/// The part of checkInput that prepare and placeSites leave to it: search, outline, density, and a domain
-/// whose area, or those of cells in it, a double does not hold: they would be infinite, or 0; or that is too
-/// flat.
+/// The checks of checkInput that prepare and placeSites do not make: search, outline, density and domain.
+/// Refuses a domain that is too flat, or whose area, or areas of cells in it, would overflow or vanish in a
+/// double.
 Result<void> checkOptions(const Sites& sites, const CellsOptions& options);
 
 }  // namespace vorpipe::core

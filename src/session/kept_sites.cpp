@@ -35,7 +35,7 @@ bool areSame(const Density& a, const Density& b) {
   return same_place && a.width == b.width && a.height == b.height && a.values == b.values;
 }
 
-/// Where a run that made nothing to return says how it went.
+/// The report of a run that returns nothing else.
 struct Noted {
   Report report;
 };
@@ -43,7 +43,7 @@ struct Noted {
 }  // namespace
 
 struct KeptSites::State {
-  /// What pictures are drawn from, with the exact tier that knows the same sites.
+  /// The input of pictures, with the exact tier for the same sites.
   struct Kept {
     std::unique_ptr<ExactTier> exact;
     KeptPicture picture;
@@ -51,14 +51,14 @@ struct KeptSites::State {
 
   Session* session;
   Sites sites;
-  /// What `kept` is of, once it was found to be nothing to refuse; its density is that of `with_mass`.
+  /// The options of `kept`, once they passed all checks; their density is that of `with_mass`.
   std::optional<CellsOptions> options{};
   std::optional<bool> by_site_needs_cells{};
-  /// Without cells and with them. Pictures of either are drawn in other ways, so that a pixel may go to
-  /// another of two sites that are as near.
+  /// Without cells and with them. The two are drawn in different ways, so a pixel may go to another of two
+  /// equally near sites.
   std::array<std::optional<Kept>, 2> kept{};
   std::optional<Diagram> with_mass{};
-  std::optional<Diagram> polygons{};  ///< that marks of pictures are found from
+  std::optional<Diagram> polygons{};  ///< source of the marks of pictures
 
   Result<void> take(const CellsOptions& wanted);
   Result<Marks> marks(const RenderOptions& wanted);
@@ -67,7 +67,7 @@ struct KeptSites::State {
                      bool with_cells);
 };
 
-/// Forgets what other options need anew.
+/// Discards data that other options need anew.
 Result<void> KeptSites::State::take(const CellsOptions& wanted) {
   if (options && findTheSame(*options, wanted)) return {};
   options.reset();

@@ -25,10 +25,10 @@ using namespace core;
 namespace {
 
 constexpr std::size_t locator_grain = 1 << 12;
-/// Places that are put into an order.
+/// Number of places that are sorted at a time.
 constexpr std::size_t most_at_once = std::size_t{1} << 20;
 
-/// A valid outline, to ask which places it holds.
+/// A valid outline with an index for point queries.
 struct OutlineSearch {
   explicit OutlineSearch(Rings from) : rings(std::move(from)), index(rings) {}
 
@@ -36,13 +36,13 @@ struct OutlineSearch {
   OutlineIndex index;
 };
 
-/// The domain that repeats itself, and which images there are.
+/// The periodic domain, and its images of sites.
 struct Repeated {
   std::array<PeriodicAxis, 2> axis;
   SiteImages images;
 };
 
-/// Moves a scaled coordinate into the domain; whether it has a place there.
+/// Moves a scaled coordinate into the domain; returns whether it has a place there.
 bool putInside(const PeriodicAxis& axis, double& coordinate) {
   constexpr double most_periods = 0x1p50;
   if (!axis.periodic) return axis.contains(coordinate);
@@ -58,7 +58,7 @@ struct Locator::State {
   int threads = 0;
   PowerOfTwo scale{0};  ///< from the caller's units
   SiteSet sites;
-  PowerOfTwo set_scale{0};  ///< from those of `repeated`, or from the caller's
+  PowerOfTwo set_scale{0};  ///< from the units of `repeated`, or from the caller's
   std::optional<Repeated> repeated;
   std::unique_ptr<OutlineSearch> outline;
   std::unique_ptr<PlaceSearch> search;
@@ -80,7 +80,7 @@ Result<void> Locator::State::takeSites(const Sites& callers, const CellsOptions&
   if (options.periodic == Periodic::none) return prepareSet(callers, options.domain, nullptr);
   auto placed = placeSites(callers, options.domain, options.periodic, threads);
   if (!placed) return tl::unexpected(placed.error());
-  // What a picture of the domain needs is all that places in it do.
+  // The images that a picture of the domain needs suffice for places in it.
   ImagedSites imaged = withImages(*placed, bandForPlaces(*placed, threads));
   const CallersSites named{callers, [&](std::uint32_t i) { return imaged.siteOf(i); }, placed->domain()};
   VORPIPE_TRY(prepareSet(imaged.sites, imaged.box, &named));
@@ -136,7 +136,7 @@ std::uint32_t Locator::at(Point place) const { return state_->at(place); }
 
 void Locator::at(std::span<const Point> places, std::span<std::uint32_t> sites) const {
   assert(places.size() == sites.size());
-  // In any order each search would read memory that no cache has, which takes ten times as long.
+  // In arbitrary order each search would miss the cache, which takes ten times as long.
   for (std::size_t first = 0; first < places.size(); first += most_at_once) {
     const auto some = places.subspan(first, std::min(most_at_once, places.size() - first));
     const auto order = orderByBlocks(some, state_->domain);

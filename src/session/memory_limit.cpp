@@ -18,7 +18,8 @@ constexpr std::uint64_t unlimited = std::numeric_limits<std::uint64_t>::max();
 /// a - b, or 0 where b is larger.
 std::uint64_t less(std::uint64_t a, std::uint64_t b) { return a > b ? a - b : 0; }
 
-/// The first number of a file; none if it begins with something else, such as "max", or is not there.
+/// Returns the first number of a file; none if it begins with something else, such as "max", or does not
+/// exist.
 std::optional<std::uint64_t> numberIn(const std::string& path) {
   std::ifstream file(path);
   std::uint64_t number = 0;
@@ -38,7 +39,7 @@ std::optional<std::uint64_t> numberAfter(const std::string& path, std::string_vi
   return std::nullopt;
 }
 
-/// Where a version of control groups has what.
+/// The files of a version of control groups.
 struct Control {
   const char *folder, *limit, *used, *cached;
 };
@@ -77,7 +78,7 @@ class Limits {
   }
 
   /// Lines are NUMBER:CONTROLLERS:PATH; version 2 has no controllers there. Inside a container the path may
-  /// be one that is only known outside: then what is there is the container's own, at the folder's top.
+  /// exist only outside: then the container's own group is at the folder's top.
   void takeControlGroups() {
     std::ifstream file(root_ + "/proc/self/cgroup");
     for (std::string line; std::getline(file, line);) {
@@ -90,7 +91,7 @@ class Limits {
     }
   }
 
-  /// A group and those around it.
+  /// Takes the limits of a group and of those around it.
   void takeGroups(const Control& control, std::string path) {
     while (!path.empty() && path.back() == '/') path.pop_back();
     for (;;) {
@@ -100,7 +101,7 @@ class Limits {
     }
   }
 
-  /// What others in the group use is not left for us, but for files that the system keeps in memory.
+  /// Memory used by others in the group is not available, except for files that the system keeps in memory.
   void takeGroup(const Control& control, const std::string& path) {
     const std::string folder = fmt::format("{}/{}{}/", root_, control.folder, path);
     const auto limit = numberIn(folder + control.limit);
@@ -112,7 +113,7 @@ class Limits {
          fmt::format("left by {} of the control group {}", control.limit, path.empty() ? "/" : path));
   }
 
-  /// A process has more addresses than memory: those of libraries, stacks, and arrays never written.
+  /// A process has more address space than memory: libraries, stacks, and arrays never written.
   void takeResourceLimits() {
     rlimit limit{};
     if (getrlimit(RLIMIT_AS, &limit) == 0 && limit.rlim_cur != RLIM_INFINITY) {

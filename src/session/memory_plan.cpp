@@ -6,7 +6,7 @@
 
 namespace vorpipe {
 
-/// The smallest free piece that is large enough, else the end: what glibc does with large pieces.
+/// Returns the smallest free piece that is large enough, else the end, as glibc does with large pieces.
 std::uint64_t MemoryPlan::place(std::uint64_t bytes) {
   auto best = free_.end();
   for (auto piece = free_.begin(); piece != free_.end(); ++piece) {
@@ -14,7 +14,7 @@ std::uint64_t MemoryPlan::place(std::uint64_t bytes) {
     if (size >= bytes && (best == free_.end() || size < best->second - best->first)) best = piece;
   }
   if (best == free_.end()) {
-    // What is free at the end grows.
+    // A free piece at the end grows.
     const auto last = free_.empty() ? free_.end() : std::prev(free_.end());
     const bool grows = last != free_.end() && last->second == top_;
     const auto begin = grows ? last->first : top_;
@@ -28,7 +28,7 @@ std::uint64_t MemoryPlan::place(std::uint64_t bytes) {
   return begin;
 }
 
-/// Returns how many bytes of these had never been written.
+/// Returns the number of these bytes never written before.
 std::uint64_t MemoryPlan::touch(std::uint64_t begin, std::uint64_t end) {
   if (begin == end) return 0;
   std::uint64_t known = 0, low = begin, high = end;

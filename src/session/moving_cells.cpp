@@ -27,11 +27,11 @@ struct MovingCells::State {
   CellMoments moments{};
   CellsThatMeet neighbors{};
   EdgesOfCells edges{};
-  bool has_neighbors = false, has_edges = false;  ///< those of the last update are written
+  bool has_neighbors = false, has_edges = false;  ///< written since the last update
   FoundBox found{};
   CellPolygons polygons{};
-  Sites places{};              ///< of what has polygons
-  FreeSurface free_surface{};  ///< where the surface is one
+  Sites places{};              ///< of sites whose cells are polygons
+  FreeSurface free_surface{};  ///< if the surface is free
   Report report{};
 
   [[nodiscard]] bool needsPolygons() const {
@@ -71,7 +71,7 @@ Result<void> MovingCells::State::findInBox(const Sites& sites, bool unless_empty
   return {};
 }
 
-/// Of the last update, but for pipelines, which are made once for all.
+/// Keeps the report of the last update, and adds earlier pipelines, which are made only once.
 void MovingCells::State::takeReport(Report of_update) {
   auto& made = of_update.pipelines;
   made.insert(made.begin(), report.pipelines.begin(), report.pipelines.end());
@@ -84,7 +84,7 @@ void MovingCells::State::weigh(const OwnCorners& cells) {
     weighCells(cells, *density_pixels, {moments.area, moments.mass, moments.centroid, moments.spread});
 }
 
-/// Periods and outlines take polygons.
+/// Periods and outlines need polygons.
 Result<void> MovingCells::State::findPolygons(const Sites& sites) {
   struct Done {
     FoundCells cells;

@@ -27,19 +27,19 @@ void append(Numbers& to, std::span<const std::uint32_t> from) {
   to.insert(to.end(), from.begin(), from.end());
 }
 
-/// What one run over some of the sites leaves.
+/// The results of one run over some of the sites.
 struct Left {
   Numbers settled;  ///< by index in the part
-  Numbers open;     ///< by number in the whole run, as all below
+  Numbers open;     ///< by number in the whole run, as are all below
   Numbers around;   ///< their neighbors
-  Numbers nearer;   ///< the nearest to corners that do not belong to their cells
+  Numbers nearer;   ///< sites nearer to corners than the cells' own sites
 };
 
-/// Large discs that no other site is in; the corners of many cells may be one place.
+/// Large discs without other sites; corners of many cells may coincide.
 class ClearDiscs {
  public:
   using Key = std::array<std::int64_t, 3>;
-  /// Rounds the disc of a corner in the domain, by less than what is looked at beyond it.
+  /// Rounds the disc of a corner in the domain, by less than the margin of the search around it.
   static std::optional<Key> keyOf(const CornerDisc& disc) {
     constexpr double least = 0x1p-14, farthest = 0x1p20, steps = 0x1p40;
     const bool is_small = !(disc.radius >= least && disc.radius < farthest);
@@ -62,7 +62,7 @@ class ClearDiscs {
   std::set<Key> keys_;
 };
 
-/// Looks for sites that are not in the part and cut its cells, or tie with them; `most` at each corner.
+/// Looks for sites outside the part that cut its cells, or tie with them; `most` at each corner.
 Left lookAround(const SiteCells& cells, const PartSites& part, const PartCells& found, std::size_t most,
                 int threads) {
   constexpr double tied = 1 + 1e-6;
@@ -109,7 +109,7 @@ Result<void> settleOpenCells(
                                      std::span<const std::uint32_t> which)>& settled) {
   sortUnique(open.sites);
   Numbers own = std::move(open.sites), others = std::move(open.around);
-  // Where corners tie with many sites, as on a circle, more and more at a time.
+  // If corners tie with many sites, as on a circle, the number at a corner grows.
   for (std::size_t at_corner = 1; !own.empty(); at_corner *= 4) {
     Numbers all = others;
     append(all, own);
@@ -126,7 +126,7 @@ Result<void> settleOpenCells(
     Left left = lookAround(cells, part, *found, at_corner, threads);
     VORPIPE_TRY(settled(part, *found, left.settled));
     own = std::move(left.open);
-    // Those of earlier rounds stay: what ties with a corner need not be a neighbor.
+    // Sites of earlier rounds stay: a site that ties with a corner need not be a neighbor.
     append(others, left.around);
     append(others, left.nearer);
     sortUnique(others);

@@ -11,7 +11,7 @@ namespace {
 
 constexpr std::size_t part_grain = std::size_t{1} << 14;
 
-/// Ascending, by bits from the lowest on: several times as fast as to compare.
+/// Sorts in ascending order by radix, from the lowest bits on: several times as fast as by comparison.
 void sortNumbers(std::vector<std::uint32_t>& numbers) {
   constexpr unsigned bits = 11, rounds = 3;
   constexpr std::size_t buckets = std::size_t{1} << bits;
@@ -26,7 +26,7 @@ void sortNumbers(std::vector<std::uint32_t>& numbers) {
   }
 }
 
-/// Puts the sites of a set of one bin into the order that they have in the run's grid.
+/// Sorts the sites of a set with one bin into their order in the run's grid.
 void takeOrder(const SiteCells& cells, SiteSet& set) {
   std::vector<std::uint32_t> bin(set.size()), order(set.size());
   for (std::size_t i = 0; i < set.size(); ++i) bin[i] = cells.bin({set.x[i], set.y[i]});
@@ -45,7 +45,7 @@ void takeOrder(const SiteCells& cells, SiteSet& set) {
 
 PartSites sitesOf(const SiteCells& cells, const TileBlock& tile, int threads) {
   PartSites part;
-  // Twice the number, and one more where the site is the tile's own: they are less than 2^31.
+  // Twice the number, plus one if the site is the tile's own: numbers are less than 2^31.
   std::vector<std::uint32_t> flagged;
   flagged.reserve(tile.sites);
   const auto add = [&](const BinBlock& block, std::uint32_t own) {
@@ -136,7 +136,7 @@ Result<PartCells> cellsOfPart(const Machine& machine, const SiteCells& cells, co
 
 CellMeasures measuresOf(const PartSites& part, const PartCells& cells, std::size_t i) {
   const CellRecord& record = cells.agreed.records[i];
-  // The centroid of a site without a cell is the site, as the caller has it to the last bit.
+  // The centroid of a site without a cell is the site, equal to the caller's to the last bit.
   const bool is_empty = record.status == Status::empty;
   return {record.area, is_empty ? Point{part.sites.x[i], part.sites.y[i]} : record.centroid, record.edges,
           record.status};

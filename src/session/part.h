@@ -13,40 +13,40 @@ namespace vorpipe::core {
 struct PartSites {
   Sites sites;
   std::vector<std::uint32_t> number;  ///< in the whole run
-  std::vector<std::uint8_t> own;      ///< 1: the cell is looked for
+  std::vector<std::uint8_t> own;      ///< 1: the cell is wanted
 };
 
-/// Those of a tile.
+/// The sites of a tile and those around it.
 PartSites sitesOf(const SiteCells& cells, const TileBlock& tile, int threads);
 
-/// Those that are named, of which `own` are looked for; both ascending, and the second among the first.
+/// The sites `all`, of which the cells of `own` are wanted. Both ascend, and `own` is a subset of `all`.
 PartSites sitesOf(const SiteCells& cells, std::span<const std::uint32_t> all,
                   std::span<const std::uint32_t> own);
 
-/// The cells that sites would have if there were no others.
+/// The cells that sites would have if there were no other sites.
 struct PartCells {
   std::unique_ptr<SiteRun> run;
   AgreedCells agreed;  ///< records by index in the part
   Report report;
 };
 
-/// What makes the cells of a part those of the whole run to the last bit, where no other site cuts them: the
-/// same scale, ties and order of sites.
+/// Makes the cells of a part equal those of the whole run to the last bit, where no other site cuts them: by
+/// the same scale, ties and order of sites.
 struct PartFrame {
   PartOfRun prepared;
   bool has_order = false;  ///< `prepared.grid` puts the sites in the order of the run's bins
 };
 
-/// The frame of a tile, whose cells are clipped to it and what is around it; and of any sites, whose cells
-/// are clipped to the whole domain.
+/// Returns the frame of a tile, whose cells are clipped to the tile and its surroundings. Without a tile,
+/// returns the frame of any sites, whose cells are clipped to the whole domain.
 PartFrame frameOf(const SiteCells& cells, const TileBlock& tile);
 PartFrame frameOf(const SiteCells& cells);
 
-/// Errors: as Session::cells'.
+/// Errors: those of Session::cells.
 Result<PartCells> cellsOfPart(const Machine& machine, const SiteCells& cells, const PartSites& part,
                               PartFrame frame, const SearchOptions& search, const Progress& progress);
 
-/// What there is to say of a cell of a part, by its index there.
+/// Returns the measures of a cell of a part, by its index there.
 CellMeasures measuresOf(const PartSites& part, const PartCells& cells, std::size_t i);
 
 }  // namespace vorpipe::core

@@ -39,7 +39,7 @@ class PolygonEdges {
     edges_.coupling[v] = along.mean * polygons_.edge_lengths[v] / (2 * distance(i, v));
   }
 
-  /// From the site of cell i to the one on the other side of edge v, or to its image.
+  /// Returns the distance from the site of cell i to the one on the other side of edge v, or to its image.
   [[nodiscard]] double distance(std::size_t i, std::uint64_t v) const {
     const auto j = static_cast<std::size_t>(meet_.neighbors[v]);
     Point way{places_.x[j] - places_.x[i], places_.y[j] - places_.y[i]};

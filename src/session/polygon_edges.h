@@ -1,4 +1,4 @@
-/// The edges of cells that were found as polygons, as solvers ask for them.
+/// The edges of cells found as polygons, as solvers need them.
 #pragma once
 
 #include <span>
@@ -7,23 +7,23 @@
 
 namespace vorpipe::core {
 
-/// What of a diagram is kept for its edges.
+/// The data of a diagram that its edges need.
 struct CellPolygons {
   std::vector<Point> vertices{};
   std::vector<double> edge_lengths{};
   std::vector<std::uint64_t> ring_starts{};
 };
 
-/// Where polygons stand. All of it outlives the call.
+/// The surroundings of polygons. All of it outlives the call.
 struct PolygonScene {
-  const Sites& places;  ///< of the sites, as wrapped() has them
+  const Sites& places;  ///< of the sites, as from wrapped()
   const Box& domain;
   Periodic periodic;
-  const Density& density;  ///< may be none
+  const Density& density;  ///< may be empty
   int threads;
 };
 
-/// Of cells that meet as `meet` says and have these polygons.
+/// Returns the edges of cells with these neighbors, `meet`, and these polygons.
 EdgesOfCells edgesOf(const CellPolygons& polygons, const CellsThatMeet& meet, const PolygonScene& scene);
 
 }  // namespace vorpipe::core

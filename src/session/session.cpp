@@ -20,7 +20,7 @@ Error outOfMemory() {
 
 namespace {
 
-/// Cells, and their mass if there is a density.
+/// Finds cells, and their mass if there is a density.
 Result<Diagram> cellsAndMass(const Machine& machine, const Sites& sites, const CellsOptions& options) {
   VORPIPE_TRY(checkOptions(sites, options));
   if (options.density.values.empty()) return cellsOn(machine, sites, options);

@@ -1,4 +1,4 @@
-/// What a session works with.
+/// The internal state of a session.
 #pragma once
 
 #include <memory>
@@ -16,13 +16,13 @@ struct Session::State {
   int threads;
 
   [[nodiscard]] core::Machine with(Backend& backend) const { return with(backend, *exact); }
-  /// With an exact tier of the caller's own.
+  /// With the caller's own exact tier.
   [[nodiscard]] core::Machine with(Backend& backend, ExactTier& tier) const {
     return {backend, tier, threads, &device.uploads()};
   }
 };
 
-/// Why a run ended by std::bad_alloc.
+/// Returns the error for a run that ended with std::bad_alloc.
 Error outOfMemory();
 
 }  // namespace vorpipe

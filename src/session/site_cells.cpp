@@ -14,7 +14,7 @@ namespace {
 
 constexpr std::size_t site_cells_grain = std::size_t{1} << 16;
 constexpr std::uint64_t most_sites = std::numeric_limits<std::int32_t>::max();
-/// Parts that are sorted side by side: each has a number for every cell of the lattice.
+/// Number of parts sorted in parallel: each has a count for every cell of the lattice.
 constexpr int most_parts = 8;
 
 Error cancelled() { return {ErrorCode::cancelled, "cancelled"}; }
@@ -78,7 +78,7 @@ std::uint32_t SiteCells::cellOf(std::size_t site) const {
   return row * lattice_.columns + column;
 }
 
-/// A stable counting sort, in parts of the input side by side.
+/// A stable counting sort, in parallel parts of the input.
 void SiteCells::sort(int threads) {
   const std::size_t cells = std::size_t{lattice_.columns} * lattice_.rows;
   const auto parts = static_cast<std::size_t>(std::min(threadCount(threads), most_parts));
@@ -133,8 +133,8 @@ BinBlock SiteCells::binsOf(const BinBlock& block) const {
           std::min((block.north + 1) * bins_along, grid_.rows) - 1};
 }
 
-/// A lower bound of how far from a place in the domain the sites of a block are. Those beyond the grid are
-/// farther away than their cell.
+/// Returns a lower bound of the distance from a place in the domain to the sites of a block. Sites beyond the
+/// grid are farther away than their cell.
 double SiteCells::distanceTo(const BinBlock& block, Point from) const {
   constexpr double rounding = 1e-6;
   const double size = lattice_.size, slack = rounding * size;
@@ -166,7 +166,7 @@ void SiteCells::addNear(Point from, double within, std::size_t most,
   }
 }
 
-/// The same for one cell of the lattice, the nearest first, until there are `all_found`.
+/// Does the same for one cell of the lattice, nearest first, until there are `all_found`.
 void SiteCells::addNearest(const BinBlock& cell, Point from, double within, std::size_t all_found,
                            const std::function<bool(std::uint32_t)>& wanted,
                            std::vector<std::uint32_t>& found) const {

@@ -1,4 +1,4 @@
-/// All sites of a run by where they stand, without their coordinates, which stay where the caller has them.
+/// A spatial index of a run's sites. It does not store coordinates, which stay in the caller's memory.
 #pragma once
 
 #include <functional>
@@ -11,14 +11,14 @@
 
 namespace vorpipe::core {
 
-/// The numbers of sites, cell by cell of a lattice whose cells are squares of 8 x 8 bins of the grid that a
-/// run over all of the sites would have; in a cell ascending.
+/// The numbers of sites, grouped by the cells of a lattice and ascending in each. Lattice cells are squares
+/// of 8 x 8 bins of the grid that a run over all sites would have.
 class SiteCells {
  public:
   static constexpr std::uint32_t bins_along = 8;
 
-  /// Errors (input): no sites, or too many; one that is not finite or too far away; a domain that is none;
-  /// progress said stop.
+  /// Errors (input): no sites, or too many; a site that is not finite or too far away; an invalid domain.
+  /// Error (cancelled): progress said stop.
   static Result<SiteCells> over(const SitesInPlace& sites, const Box& domain, int threads,
                                 const Progress& progress);
 
@@ -29,7 +29,7 @@ class SiteCells {
   [[nodiscard]] const Grid& lattice() const { return lattice_; }
   [[nodiscard]] BinBlock all() const { return {0, 0, lattice_.columns - 1, lattice_.rows - 1}; }
 
-  /// Of a block of the lattice's cells.
+  /// Number of sites in a block of the lattice's cells.
   [[nodiscard]] std::uint64_t count(const BinBlock& block) const;
 
   /// The bins of a block of cells.
@@ -41,7 +41,7 @@ class SiteCells {
   }
   [[nodiscard]] std::uint32_t bin(Point place) const { return binOf(grid_, place.x, place.y); }
 
-  /// Calls take(sites) with those of each row of cells of a block.
+  /// Calls take(sites) with the sites of each row of cells in a block.
   template <class Take>
   void eachRow(const BinBlock& block, const Take& take) const {
     for (auto row = block.south; row <= block.north; ++row) {
@@ -51,8 +51,8 @@ class SiteCells {
     }
   }
 
-  /// Adds sites that are nearer than `within` to a place in the domain and that `wanted` accepts, those of
-  /// near cells first, until there are `most` of them; at least one where there is any. In scaled units.
+  /// Adds up to `most` sites that are nearer than `within` to a place in the domain and that `wanted`
+  /// accepts. Sites of near cells come first. Adds at least one if any exists. In scaled units.
   void addNear(Point from, double within, std::size_t most, const std::function<bool(std::uint32_t)>& wanted,
                std::vector<std::uint32_t>& found) const;
 

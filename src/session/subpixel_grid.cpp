@@ -11,16 +11,17 @@ namespace {
 
 /// Pixels along a side of the view, pixels from one shape to the next, and shapes in a view.
 constexpr int side = 512, pitch = 4, shapes = side / pitch;
-/// By how many pixels an edge leans to the right from the bottom of the view to the top, 1/1024 per row.
+/// Number of pixels by which an edge leans to the right from the bottom of the view to the top, 1/1024 per
+/// row.
 constexpr float lean = 0.5F;
-/// By how many pixels the edge moves to the right from one shape to the next.
+/// Number of pixels by which the edge moves to the right from one shape to the next.
 constexpr float shift = lean / side;
-/// Views of shapes that are drawn, through which the edge moves by 1/4 pixel.
+/// Number of views of shapes, through which the edge moves by 1/4 pixel each.
 constexpr int grid_rounds = 2;
 
-/// The shapes from number `first` on, side by side, about 2 pixels wide and as high as the view. The left
-/// side of each is a leaning edge that passes the pixel centers of the shape's second column near the middle
-/// of the view; the larger the shape's number, the lower.
+/// Returns the shapes from number `first` on, side by side, about 2 pixels wide and as high as the view. The
+/// left side of each is a leaning edge. It passes the pixel centers of the shape's second column near the
+/// middle of the view, lower for larger numbers.
 CellBatch<float> shapesFrom(int first) {
   CellBatch<float> batch;
   const float slope = lean / side;
@@ -43,8 +44,8 @@ std::vector<DrawMark> marksOf() {
   return marks;
 }
 
-/// Draws the shapes from number `first` on. Appends to `heights` how many pixels each covers in its second
-/// column.
+/// Draws the shapes from number `first` on. Appends to `heights` the number of pixels that each covers in its
+/// second column.
 Result<void> drawShapes(Backend& backend, int first, std::vector<int>& heights) {
   const View view{{0, 0, side, side}, side, side, {}};
   VORPIPE_TRY(backend.begin(view));

@@ -7,10 +7,10 @@
 
 namespace vorpipe::core {
 
-/// Draws edges at places that differ by little, and counts on how many distinct places they end up: how many
-/// bits of a place inside a pixel the device keeps, most_subpixel_bits at most; 0 where edges do not move as
-/// they should; none where its views are too small to tell. The picture is lost. Error (device): the device
-/// failed.
+/// Measures how many bits of a place inside a pixel the device keeps, most_subpixel_bits at most. Draws edges
+/// at slightly different places and counts the distinct places where they end up. Returns 0 if edges do not
+/// move as they should, and none if the device's views are too small to tell. The picture is lost. Error
+/// (device): the device failed.
 Result<std::optional<int>> measureSubpixelBits(Backend& backend);
 
 }  // namespace vorpipe::core

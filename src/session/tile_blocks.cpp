@@ -5,23 +5,23 @@
 namespace vorpipe::core {
 namespace {
 
-/// Of random sites one cell in millions reaches beyond its tile by this number of mean distances between
+/// With random sites, one cell in millions reaches beyond its tile by this number of mean distances between
 /// sites.
 constexpr double enough = 6;
-/// More around a tile than this part of it costs more than to find a few cells apart.
+/// Surroundings of more than this share of a tile cost more than finding a few cells separately.
 constexpr double worth = 0.25;
 
 bool areSame(const BinBlock& a, const BinBlock& b) {
   return a.west == b.west && a.south == b.south && a.east == b.east && a.north == b.north;
 }
 
-/// The mean distance of sites around a block, in cells of the lattice; infinite where there are none.
+/// Returns the mean distance of sites around a block, in cells of the lattice; infinite if there are none.
 double distanceAround(const SiteCells& cells, const BinBlock& own, const BinBlock& with) {
   const auto area = static_cast<double>(binsIn(with) - binsIn(own));
   return std::sqrt(area / static_cast<double>(cells.count(with) - cells.count(own)));
 }
 
-/// A block with what is around it: wide where sites are few.
+/// Returns a block with its surroundings, which are wide where sites are few.
 TileBlock withSurroundings(const SiteCells& cells, const BinBlock& own, std::uint64_t usual) {
   TileBlock tile{own, withMargin(cells.lattice(), own, 1), 0};
   const auto in_own = static_cast<double>(cells.count(own));
@@ -36,7 +36,7 @@ TileBlock withSurroundings(const SiteCells& cells, const BinBlock& own, std::uin
   return tile;
 }
 
-/// The two parts of a block of more than one cell, cut across its longer side where half of its sites are.
+/// Cuts a block of more than one cell across its longer side into two parts with half of its sites each.
 std::pair<BinBlock, BinBlock> cutInHalf(const SiteCells& cells, const BinBlock& block) {
   const bool upright = block.east - block.west > block.north - block.south;
   const auto half = cells.count(block) / 2;

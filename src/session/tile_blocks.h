@@ -1,4 +1,4 @@
-/// Which blocks of cells of the lattice are tiles, and how much around them is looked at with them.
+/// Divides the lattice into tiles, and decides how much around each is processed with it.
 #pragma once
 
 #include <vector>
@@ -9,12 +9,12 @@ namespace vorpipe::core {
 
 struct TileBlock {
   BinBlock own;             ///< cells of the lattice
-  BinBlock with;            ///< and those around it
-  std::uint64_t sites = 0;  ///< in both
+  BinBlock with;            ///< and the cells around it
+  std::uint64_t sites = 0;  ///< in `with`
 };
 
-/// Cuts the lattice into tiles of at most `usual` sites with those around them, or of one cell; those without
-/// sites are left out. Tiles have as many sites as each other, not the same area.
+/// Cuts the lattice into tiles of at most `usual` sites including surroundings, or of one cell. Omits tiles
+/// without sites. Tiles have about as many sites as each other, not the same area.
 std::vector<TileBlock> tilesOf(const SiteCells& cells, std::uint64_t usual);
 
 }  // namespace vorpipe::core

@@ -8,7 +8,7 @@
 namespace vorpipe {
 namespace {
 
-/// How many of some numbers are others, but for rounding.
+/// Counts the numbers that repeat others, up to rounding.
 std::size_t countRepeated(std::vector<double> numbers) {
   constexpr double rounding = 64 * std::numeric_limits<double>::epsilon();
   std::ranges::sort(numbers);

@@ -12,12 +12,12 @@ namespace vorpipe::core {
 namespace {
 
 constexpr double infinite = std::numeric_limits<double>::infinity();
-/// In mean distances of sites: how wide a strip is looked through first, and how densely its line.
+/// In mean distances of sites: the width of the first strip searched, and the spacing of samples on its line.
 constexpr double first_strip = 5, samples_apart = 0.5;
-/// Of a period: a wider band costs nearly as much as the widest.
+/// Relative to a period: a wider band costs nearly as much as the widest.
 constexpr double nearly_whole = 0.4;
-/// A cell reaches beyond the domain, and the circles around its vertices as far again; a little more, as
-/// vertices are farther from sites than most places.
+/// A cell reaches beyond the domain, and the circles around its vertices as far again; a little more, because
+/// vertices are farther from sites than most points.
 constexpr double cells_to_places = 2.5;
 constexpr std::size_t nearest_asked = 8;
 constexpr std::size_t band_grain = 256;
@@ -42,7 +42,7 @@ double spacingOf(const PeriodicSites& placed) {
   return std::sqrt(x.length / static_cast<double>(placed.sites.size()) * y.length);
 }
 
-/// The sites, but the heavy ones, within `width` of the line where the domain begins along an axis.
+/// The sites, except the heavy ones, within `width` of the line where the domain begins along an axis.
 Strip stripOf(const PeriodicSites& placed, const Band& band, std::size_t a, double width) {
   const PeriodicAxis& axis = placed.axis[a];
   const auto& across = a == 0 ? placed.sites.x : placed.sites.y;
@@ -61,9 +61,9 @@ Strip stripOf(const PeriodicSites& placed, const Band& band, std::size_t a, doub
 }
 
 /// An upper bound, over all points of the line where the domain begins along an axis, of the distance within
-/// which a site of the largest weight, heavy ones apart, can be nearest. For one point it is the least
-/// distance to the sites, each lifted out of the plane by its missing weight. It is 1-Lipschitz, so that
-/// samples bound it everywhere.
+/// which a site of the largest weight, except heavy ones, can be nearest. For one point it is the least
+/// distance to the sites, each lifted out of the plane by its missing weight. It is 1-Lipschitz, so samples
+/// bound it everywhere.
 double reachOnLine(const PeriodicSites& placed, const Strip& strip, std::size_t a, int threads) {
   const PeriodicAxis& other = placed.axis[1 - a];
   const auto samples =
@@ -109,7 +109,7 @@ double bandForPlaces(const PeriodicSites& placed, const Band& band, std::size_t 
   return axis.length;
 }
 
-/// Sorts out the heaviest sites if the others are lighter by enough to make a difference.
+/// Separates the heaviest sites if the others are light enough for this to make a difference.
 void findHeavy(const PeriodicSites& placed, Band& band) {
   const auto& weight = placed.sites.weight;
   if (weight.empty()) return;

@@ -5,14 +5,14 @@
 
 namespace vorpipe::core {
 
-/// A band so wide that, for every point of the domain, no image beyond it is nearer than the nearest site or
-/// image within: enough for a picture of the domain.
+/// Returns a band wide enough for a picture of the domain: for every point of the domain, no image beyond the
+/// band is nearer than the nearest site or image within.
 Band bandForPlaces(const PeriodicSites& placed, int threads);
 
-/// What is likely to be enough for whole cells, which reach beyond the domain.
+/// Returns a band likely to be wide enough for whole cells, which reach beyond the domain.
 Band likelyBandForCells(const PeriodicSites& placed, int threads);
 
-/// `width`, or a whole period, which is always enough, where `width` is not much less.
+/// Returns `width`, or, if it is not much less than a whole period, that period, which is always enough.
 double cappedBand(const PeriodicAxis& axis, double width);
 
 /// Whether the band along an axis is a whole period, which is always enough.

@@ -131,8 +131,8 @@ class BinSorter {
     removed_[bucket] = removeDuplicates(begin, {set_.grid.offsets.data() + first_bin, bins}, next);
   }
 
-  /// Drops the duplicates in the bins of one bucket, whose sites stand from `begin` on. first[b] and
-  /// end[b] are the bounds of bin b as seen from there; first is made to fit again. Returns how many.
+  /// Drops the duplicates in the bins of one bucket, whose sites begin at `begin`. first[b] and end[b] are
+  /// the bounds of bin b relative to `begin`; updates `first`. Returns the number of duplicates.
   std::uint32_t removeDuplicates(std::size_t begin, std::span<std::uint32_t> first,
                                  std::span<const std::uint32_t> end) {
     std::uint32_t removed = 0;
@@ -158,7 +158,7 @@ class BinSorter {
     set_.id[to] = set_.id[from];
   }
 
-  /// Names the owner of each duplicate among `count` sites of one bin; returns how many there are.
+  /// Stores the owner of each duplicate among `count` sites of one bin; returns their number.
   std::uint32_t noteDuplicates(std::size_t begin, std::size_t count) {
     const auto found =
         count > crowd ? noteDuplicatesInCrowd(begin, count) : noteDuplicatesInPairs(begin, count);
@@ -166,13 +166,13 @@ class BinSorter {
     return found;
   }
 
-  /// The heaviest of equal positions becomes their owner, which was the first of them.
+  /// Makes the heaviest of equal positions their owner, which was the first of them.
   void giveToHeaviest(std::span<const std::uint32_t> ids) {
     for (const auto id : ids) {
       auto& heaviest = owner_[owner_[id]];
       if (sites_.weight[id] > sites_.weight[heaviest]) heaviest = id;
     }
-    // The first one comes last, for the others look there.
+    // The first one comes last, because the others read its entry.
     for (auto id = ids.rbegin(); id != ids.rend(); ++id) owner_[*id] = owner_[owner_[*id]];
   }
 

@@ -5,7 +5,7 @@
 
 namespace vorpipe::core {
 
-/// A factor that is a power of two, as two factors: one alone may not be a double.
+/// A power of two, stored as two factors: a single one may not fit in a double.
 class PowerOfTwo {
  public:
   explicit PowerOfTwo(int exponent);
@@ -15,16 +15,16 @@ class PowerOfTwo {
   double first_, second_;
 };
 
-/// Which bins of a larger grid the bins of a set are: those from a column and a row on.
+/// Where the bins of a set lie in a larger grid: the first column and row.
 struct BlockOfGrid {
-  const Grid* whole = nullptr;  ///< null: the set's grid is no part of another
+  const Grid* whole = nullptr;  ///< null: the set's grid is not part of another
   std::uint32_t west = 0, south = 0;
 };
 
-/// Fills x, y, id and grid.offsets of `set`, whose grid has its shape: sites bin by bin, rows first, inside
-/// a bin by index. Of equal positions only the heaviest site is in the set, of equally heavy ones the lowest
-/// index; owner[i] is its index. In a block each site, all of which are in its bins, gets the bin that it has
-/// in the whole grid.
+/// Fills x, y, id and grid.offsets of `set`, whose grid already has its shape. Sites are ordered by bin, row
+/// by row; inside a bin by index. Of sites at equal positions the set keeps only the heaviest, of equally
+/// heavy ones the lowest index; owner[i] is its index. In a block each site gets the bin that it has in the
+/// whole grid; all sites are in the block's bins.
 void orderByBins(const Sites& sites, const PowerOfTwo& scale, int threads, SiteSet& set,
                  std::vector<std::uint32_t>& owner, const BlockOfGrid& block = {});
 

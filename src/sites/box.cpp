@@ -9,7 +9,7 @@
 namespace vorpipe {
 namespace {
 
-/// The least square around the box, with the same center.
+/// The smallest square around the box, with the same center.
 Box squareAround(const Box& box) {
   const double width = box.xmax - box.xmin, height = box.ymax - box.ymin;
   const double grown = (std::max(width, height) - std::min(width, height)) / 2;
@@ -55,7 +55,7 @@ Box domainOf(const Sites& sites, const Margin& margin) {
   double grown = margin.value;
   if (margin.relative) grown = longer > 0 ? margin.value * longer : 0.5;
   if (margin.value > 0) {
-    // Far from the origin so little may be less than a coordinate can tell; a few thousand steps are not.
+    // Far from the origin so little may be below a coordinate's resolution; a few thousand steps are not.
     const double largest = std::max({std::abs(xmin), std::abs(xmax), std::abs(ymin), std::abs(ymax)});
     const double step = largest - std::nextafter(largest, 0.0);
     grown = std::max(grown, 4096 * step);

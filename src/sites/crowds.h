@@ -6,13 +6,13 @@
 namespace vorpipe::core {
 
 struct Crowds {
-  std::vector<std::uint32_t> even;     ///< sites whose cells a walk over the grid finds soon, ascending
+  std::vector<std::uint32_t> even;     ///< sites whose cells a walk over the grid finds fast, ascending
   std::vector<std::uint32_t> crowded;  ///< the others, ascending
 };
 
 /// Sorts the sites `which` (ascending) by how many stand in the 3 x 3 bins around them. If many of them are
-/// crowded, all are: then their triangulation is made in any case, and it costs little to have it hold the
-/// rest.
+/// crowded, counts all as crowded: their triangulation is then made anyway, and including the rest costs
+/// little.
 Crowds sortByCrowds(const Grid& grid, std::span<const std::uint32_t> which, int threads);
 
 }  // namespace vorpipe::core

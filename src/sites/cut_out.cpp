@@ -8,8 +8,8 @@
 namespace vorpipe::core {
 namespace {
 
-/// Gives a part, which has what is in a block of a set's bins, the set's weights and heavy sites: those that
-/// are elsewhere stand behind the bins.
+/// Adds the set's weights and heavy sites to a part, which already holds the sites in a block of the set's
+/// bins. Heavy sites from elsewhere follow after the bins.
 void takeWeights(const SiteSet& sites, const BinBlock& block, SiteSet& part,
                  std::vector<std::uint32_t>& whole) {
   const auto in_bins = static_cast<std::ptrdiff_t>(whole.size());

@@ -8,9 +8,9 @@
 namespace vorpipe::core {
 namespace {
 
-/// What the grid covers: the box of the sites, as far as it lies in `near`. Where sites lie beyond,
-/// the grid ends outside the domain, so that the bins at its border may hold them: seen from inside
-/// the domain, such a site is farther away than its bin.
+/// The area that the grid covers: the box of the sites, as far as it lies in `near`. If sites lie beyond, the
+/// grid ends outside the domain, so the bins at its border may hold them: seen from inside the domain, such a
+/// site is farther away than its bin.
 Box gridBox(const Box& sites, const Box& near) {
   return {std::clamp(sites.xmin, near.xmin, near.xmax), std::clamp(sites.ymin, near.ymin, near.ymax),
           std::clamp(sites.xmax, near.xmin, near.xmax), std::clamp(sites.ymax, near.ymin, near.ymax)};

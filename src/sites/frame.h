@@ -12,23 +12,24 @@ namespace vorpipe::core {
 
 inline constexpr double farthest_site = 0x1p300;  ///< in domains
 
-/// Scaled coordinates, those of sites and of the domain's walls, are multiples of 2^-200: exact decisions
-/// multiply four differences, of which a double could not hold enough. From 2^-148 on all doubles are; what
-/// is nearer to 0 becomes a multiple of 2^-199. Sites that are one by that would be too near to each other.
+/// Scaled coordinates, of sites and of the domain's walls, are multiples of 2^-200: exact decisions multiply
+/// four differences, and a double could not hold the product of smaller ones. All doubles from 2^-148 on are
+/// such multiples; values nearer to 0 are rounded to a multiple of 2^-199. Sites that become equal by this
+/// would be too near to each other anyway.
 inline constexpr double least_coordinate = 0x1p-200;
 inline double usableCoordinate(double scaled) {
-  constexpr double coarse = 0x1.8p-147;  // what is added to it loses the digits below 2^-199
+  constexpr double coarse = 0x1.8p-147;  // adding it rounds off the digits below 2^-199
   return std::abs(scaled) < 0x1p-148 ? (scaled + coarse) - coarse : scaled;
 }
 
 /// A domain in scaled units.
 Box scaledDomain(const Box& domain, int exponent);
 
-/// What one pass over sites finds out, in scaled units.
+/// The results of one pass over sites, in scaled units.
 struct Extent {
   Box box{std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity(),
           -std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity()};
-  std::size_t inside = 0;  ///< sites within the box that was asked about
+  std::size_t inside = 0;  ///< sites within the box `near`
   bool usable = true;      ///< every coordinate is finite and not too far away
 
   void add(double x, double y, const Box& near) {
@@ -48,17 +49,17 @@ struct Extent {
 /// The power of two that brings the domain's longer side into [1, 2).
 int scaleExponent(const Box& domain);
 
-/// Error (input): the domain is no rectangle.
+/// Error (input): the domain is not a rectangle.
 Result<void> checkDomain(const Box& domain);
 
 /// The domain and as much again on every side: farther sites bound few cells, and would make the bins
 /// of the others large.
 Box surroundings(const Box& domain);
 
-/// The grid over sites of this extent, which was asked about `near`, the surroundings of the domain.
+/// The grid over sites of this extent, which was computed with `near`, the surroundings of the domain.
 Grid gridOver(const Extent& extent, const Box& near);
 
-/// The error of site i, at these coordinates, which is not finite or too far away.
+/// The error for site i, whose coordinates (x, y) are not finite or too far away.
 Error unusableSite(std::size_t i, double x, double y);
 
 }  // namespace vorpipe::core

@@ -8,13 +8,13 @@
 #include "vorpipe.h"
 #include "vorpipe/patterns.h"
 
-// The same sites on every platform: only operations that IEEE 754 defines to the last bit, and nowhere
-// a product that is added to something, for a compiler may fuse the two; a quotient cannot be fused.
+// Generates the same sites on every platform. Uses only operations that IEEE 754 defines to the last bit.
+// Never adds a product to something, because a compiler may fuse the two; a quotient cannot be fused.
 
 namespace vorpipe {
 namespace {
 
-/// The shape of a box: patterns are made in the unit square, which is stretched over it.
+/// The shape of a box: patterns are made in the unit square, which is then stretched over the box.
 struct Shape {
   double aspect = 1;  ///< width over height
   /// Lengths in the square for one in the box, along each axis, over that for areas.
@@ -26,7 +26,7 @@ struct Lattice {
   std::uint64_t columns, rows;
 };
 
-/// How many rows are as far apart as so many columns, at least 1 and at most n.
+/// The number of rows with the same spacing as this many columns, at least 1 and at most n.
 std::uint64_t rowsFor(std::uint64_t columns, const Shape& shape, std::uint64_t n) {
   const double rows = std::round(static_cast<double>(columns) / shape.aspect);
   return static_cast<std::uint64_t>(std::clamp(rows, 1.0, static_cast<double>(n)));
@@ -89,7 +89,7 @@ void generateRandom(Sites& sites, std::uint64_t n, Random& random) {
   }
 }
 
-/// About the root of n columns, in a square; in all boxes as many more as these are wider than high.
+/// The number of columns for n sites: `root` in a square, else about sqrt(n * aspect), 1 to n.
 std::uint64_t columnsFor(std::uint64_t root, std::uint64_t n, const Shape& shape) {
   if (shape.aspect == 1) return root;
   const double columns = std::floor(std::sqrt(static_cast<double>(n) * shape.aspect));
@@ -143,7 +143,7 @@ void generateJitter(Sites& sites, std::uint64_t n, Random& random, const Shape& 
 }
 
 void generateClusters(Sites& sites, std::uint64_t n, Random& random, const Shape& shape) {
-  // In a thin box clusters are flat, or nothing of them would lie in it.
+  // In a thin box clusters are flat: otherwise nothing of them would lie in it.
   constexpr double flattest = 1.0 / 8;
   const Point squeezed{std::max(shape.squeezed().x, flattest), std::max(shape.squeezed().y, flattest)};
   struct Cluster {
@@ -239,7 +239,7 @@ Sites generate(Pattern pattern, std::uint64_t n, std::uint64_t seed) {
 Sites generate(Pattern pattern, std::uint64_t n, std::uint64_t seed, const Box& box) {
   const double width = box.xmax - box.xmin, height = box.ymax - box.ymin;
   Sites sites = generateShaped(pattern, n, seed, {width / height});
-  // Rounding may lead beyond the far ends.
+  // Rounding may lead past the far ends.
   for (double& x : sites.x) x = std::min(box.xmin + x * width, box.xmax);
   for (double& y : sites.y) y = std::min(box.ymin + y * height, box.ymax);
   return sites;

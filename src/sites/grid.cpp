@@ -7,7 +7,7 @@ namespace {
 
 /// Keeps bin numbers within the integers of every device.
 constexpr double most_grid_bins = 1 << 28;
-/// Keeps what a device computes of the size far from underflow.
+/// Keeps what a device computes from the size far from underflow.
 constexpr double least_size = 0x1p-100;
 
 }  // namespace

@@ -15,8 +15,8 @@ inline constexpr double sites_per_bin = 2;
 /// `count` sites in it. The grid's `offsets` are left empty.
 Grid layGrid(const Box& box, std::size_t count);
 
-/// The column of x, or the row of y: `low` is the grid's xmin or ymin, `bins` its columns or rows.
-/// What lies beyond the grid belongs to the bins at its border.
+/// The column of x, or the row of y: `low` is the grid's xmin or ymin, `bins` its columns or rows. Points
+/// beyond the grid belong to the bins at its border.
 inline std::uint32_t binAlong(double coordinate, double low, double size, std::uint32_t bins) {
   const double place = (coordinate - low) / size;
   return place > 0 ? static_cast<std::uint32_t>(std::min(place, static_cast<double>(bins - 1))) : 0u;

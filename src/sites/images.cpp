@@ -81,7 +81,7 @@ Box coveredBy(const PeriodicSites& placed, const Band& band) {
   return widened(placed, band.width[0], band.width[1]);
 }
 
-/// The sites of which an image within a period lies in the band, or must be there anyway.
+/// The sites with an image, within a period, that lies in the band or is needed anyway.
 std::vector<std::uint32_t> sitesWithImages(const PeriodicSites& placed, const Band& band) {
   const auto inBand = [&](double place, std::size_t a) {
     const PeriodicAxis& axis = placed.axis[a];
@@ -96,7 +96,7 @@ std::vector<std::uint32_t> sitesWithImages(const PeriodicSites& placed, const Ba
   return wanted;
 }
 
-/// Where an image stands.
+/// The position of an image.
 Point placeOf(const PeriodicSites& placed, const SiteImage& image) {
   return {placed.sites.x[image.site] + image.shift[0] * placed.axis[0].length,
           placed.sites.y[image.site] + image.shift[1] * placed.axis[1].length};
@@ -113,10 +113,10 @@ PeriodicAxis::PeriodicAxis(double low_end, double high_end, bool repeats)
       high_(high_end) {
   if (!periodic) return;
   quantum_ = quantumOf(low_, high_);
-  // Places count from the middle of the domain, where doubles are finest.
+  // Positions are relative to the middle of the domain, where doubles are finest.
   offset_ = rounded(low_ + 0.5 * length, quantum_);
   low = rounded(low_, quantum_) - offset_;
-  // Not the rounded length: sites at both ends are to be one.
+  // Not the rounded length: sites at both ends must coincide.
   length = rounded(high_, quantum_) - rounded(low_, quantum_);
   high = low + length;
 }
@@ -141,7 +141,7 @@ PeriodicAxis::Placed PeriodicAxis::put(double scaled) const {
 }
 
 Result<PeriodicSites> placeSites(const Sites& sites, const Box& domain, Periodic periodic, int threads) {
-  // What prepare refuses it would name by the places of images.
+  // Without this, prepare would refuse sites by naming the positions of images.
   VORPIPE_TRY(checkSites(sites, domain, threads));
   const int exponent = scaleExponent(domain);
   const PowerOfTwo scale(exponent);
@@ -178,7 +178,7 @@ void eachImage(const PeriodicSites& placed, const Band& band,
   const Box covered = coveredBy(placed, band);
   const auto wanted = sitesWithImages(placed, band);
   const std::int8_t most_x = x.periodic ? 1 : 0, most_y = y.periodic ? 1 : 0;
-  // Shift by shift, so that images of one position stand in the order of their sites.
+  // Shift by shift, so that images of one position are in the order of their sites.
   for (auto sy = static_cast<std::int8_t>(-most_y); sy <= most_y; ++sy) {
     for (auto sx = static_cast<std::int8_t>(-most_x); sx <= most_x; ++sx) {
       if (sx == 0 && sy == 0) continue;

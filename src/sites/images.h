@@ -19,7 +19,7 @@ class PeriodicAxis {
 
   struct Placed {
     double place;    ///< in [low, high) where the axis is periodic
-    double periods;  ///< from there to the site; 2^51 where the site is more than 2^50 periods away
+    double periods;  ///< from there to the site; 2^51 if the site is more than 2^50 periods away
   };
   [[nodiscard]] Placed put(double scaled) const;
   /// Whether a scaled number lies in the domain, both ends included.
@@ -49,8 +49,8 @@ struct PeriodicSites {
   std::array<PeriodicAxis, 2> axis;
   int exponent;  ///< scaled units are the input's times 2^exponent
   Sites sites;   ///< each in the domain along the axes that are periodic; weights scaled
-  /// By site: how many periods, 0 or 1, its cell is reported away from `sites`: a site at the domain's upper
-  /// end is computed at the lower end, but reported where it is.
+  /// By site: number of periods, 0 or 1, from its position in `sites` to where its cell is reported. A site
+  /// at the domain's upper end is computed at the lower end, but reported where it is.
   std::vector<std::array<std::int8_t, 2>> home;
   bool all_inside = true;  ///< no site lies outside of the domain along an axis that is not periodic
 
@@ -78,14 +78,14 @@ struct SiteImages {
   [[nodiscard]] std::uint32_t siteOf(std::uint32_t i) const { return i < count ? i : images[i - count].site; }
 };
 
-/// Sites together with their images in the domain and a band around it, and all of those of heavy sites.
+/// Sites together with their images in the domain and a band around it, and all images of heavy sites.
 struct ImagedSites : SiteImages {
   Sites sites;    ///< of the entries
   Box covered{};  ///< holds images of all sites
-  Box box{};      ///< what cells are clipped to: the same, or all periods where heavy sites have images
+  Box box{};  ///< clip box of cells: as `covered`, or a whole period on each side if heavy sites have images
 };
 
-/// Calls `take` for each image in the band, and for all of heavy sites.
+/// Calls `take` for each image in the band, and for all images of heavy sites.
 void eachImage(const PeriodicSites& placed, const Band& band,
                const std::function<void(const SiteImage&)>& take);
 

@@ -11,14 +11,14 @@ namespace vorpipe::core {
 namespace {
 
 constexpr std::size_t near_sites_grain = std::size_t{1} << 16;
-/// From here on two different doubles are farther apart than the least distance.
+/// From this size on, two different doubles are farther apart than the least distance.
 constexpr double told_apart = least_distance * 0x1p54;
 
 using Pair = std::pair<std::uint32_t, std::uint32_t>;
 
 bool isSmall(double value) { return std::abs(value) < told_apart; }
 
-/// Whether any coordinate is small and not 0. Two sites that are near each other have one.
+/// Whether any coordinate is small and not 0. Two sites near each other have such a coordinate.
 bool anySmall(const SiteSet& set, int threads) {
   std::atomic<bool> any = false;
   parallelFor(set.size(), near_sites_grain, threads, [&](std::size_t begin, std::size_t end) {
@@ -31,7 +31,8 @@ bool anySmall(const SiteSet& set, int threads) {
   return any;
 }
 
-/// Looks among `sites` in rows of the plane, as high as the least distance and shifted by a part of that.
+/// Searches `sites` in rows of the plane, which are as high as the least distance and shifted by a part of
+/// that.
 std::optional<Pair> nearInRows(const SiteSet& set, std::vector<std::uint32_t>& sites, double shift) {
   const auto row = [&](std::uint32_t i) { return std::floor(set.y[i] / least_distance + shift); };
   std::sort(sites.begin(), sites.end(), [&](std::uint32_t a, std::uint32_t b) {
@@ -52,7 +53,7 @@ std::optional<Pair> tooNear(const SiteSet& set, int threads) {
   for (std::uint32_t i = 0; i < set.size(); ++i) {
     if (isSmall(set.x[i]) || isSmall(set.y[i])) sites.push_back(i);
   }
-  // What is on both sides of a border between rows is in one row of the others.
+  // Sites on both sides of a border between rows share one of the shifted rows.
   auto pair = nearInRows(set, sites, 0);
   return pair ? pair : nearInRows(set, sites, 0.5);
 }

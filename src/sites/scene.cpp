@@ -17,7 +17,7 @@ Result<Scene> sceneOf(const Sites& sites, const RenderOptions& options, int thre
   auto imaged = withImages(*placed, bandForPlaces(*placed, threads));
   const Box picture = placed->domain();
   // A device finds cells clipped to the domain faster. But cells clipped to more than the picture do not show
-  // which sites have one in it, unless every site does.
+  // which sites have a cell in it, unless every site does.
   const Box clip = placed->all_inside ? imaged.box : picture;
   return Scene{std::move(imaged), clip, picture};
 }

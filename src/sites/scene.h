@@ -8,14 +8,14 @@
 namespace vorpipe::core {
 
 struct Scene {
-  ImagedSites imaged;  ///< `sites` is empty where the domain is not periodic: then they are the caller's
+  ImagedSites imaged;  ///< `sites` is empty if the domain is not periodic: the caller's sites are then used
   Box clip{};          ///< what cells are clipped to
   Box picture{};       ///< the domain, in the same units
 
   [[nodiscard]] const Sites& sitesOr(const Sites& callers) const {
     return imaged.sites.size() == 0 ? callers : imaged.sites;
   }
-  /// The caller's site that entry i of these is or is an image of.
+  /// The caller's site that entry i is, or is an image of.
   [[nodiscard]] std::uint32_t siteOf(std::uint32_t i) const { return imaged.siteOf(i); }
 };
 
@@ -25,7 +25,7 @@ Result<Scene> sceneOf(const Sites& sites, const RenderOptions& options, int thre
 /// The scene of a domain that is not periodic.
 Scene plainScene(const Sites& sites, const Box& domain);
 
-/// Names images by their sites.
+/// Maps ids of images to their sites.
 void nameSites(const Scene& scene, std::span<std::uint32_t> ids);
 
 }  // namespace vorpipe::core

@@ -21,7 +21,7 @@ namespace vorpipe::core {
 namespace {
 
 constexpr std::size_t site_set_grain = 1 << 16;
-/// A neighbor is an index of 32 bits with a sign.
+/// A neighbor is a signed 32-bit index.
 constexpr std::size_t most_sites = std::numeric_limits<std::int32_t>::max();
 constexpr double infinite = std::numeric_limits<double>::infinity();
 
@@ -49,7 +49,7 @@ Error firstUnusable(const Sites& sites, const PowerOfTwo& scale) {
   return unusableSite(i, sites.x[i], sites.y[i]);
 }
 
-/// `names` are what the caller calls the sites; empty: as they are numbered.
+/// `names` are the caller's numbers of the sites; empty: the same as here.
 Error nearSites(const Sites& sites, std::uint32_t a, std::uint32_t b,
                 std::span<const std::uint32_t> names = {}) {
   if (a > b) std::swap(a, b);

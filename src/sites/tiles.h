@@ -7,11 +7,11 @@
 
 namespace vorpipe::core {
 
-/// What a device is given at a time: all sites, or those of a rectangle of bins and of a halo around it.
+/// The sites that a device gets at a time: all, or those of a rectangle of bins and of a halo around it.
 struct Tile {
   const SiteSet& sites;
   std::span<const std::uint32_t> own;    ///< the cells to find, indices in `sites`, ascending
-  std::span<const std::uint32_t> whole;  ///< by index in `sites`: index in the whole set; empty if it is that
+  std::span<const std::uint32_t> whole;  ///< by index in `sites`: index in the whole set; empty if the same
 
   [[nodiscard]] std::uint32_t wholeIndex(std::uint32_t i) const { return whole.empty() ? i : whole[i]; }
 };
@@ -19,7 +19,7 @@ struct Tile {
 /// The rectangles of bins that a device gets one after the other. Every bin is in one of them.
 struct TilePlan {
   std::vector<BinBlock> tiles;
-  std::vector<BinBlock> unfit;  ///< bins that do not fit with what is around them
+  std::vector<BinBlock> unfit;  ///< bins that do not fit together with their halo
 };
 
 /// Cuts the grid into halves until each part, with its halo, has at most that many sites and bins.
@@ -28,9 +28,9 @@ TilePlan planTiles(const Grid& grid, std::uint64_t most_sites, std::uint64_t mos
 /// Whether a device can be given all sites at once.
 bool fits(const SiteSet& sites, const BackendInfo& info);
 
-/// Calls work with parts of a set whose cells `which` (ascending) are in the parts' `own`, each in one: with
-/// all sites, if the device can take them, else with one tile after the other. Returns the cells that are in
-/// no part, in any order: crowds, and bins that do not fit.
+/// Calls `work` with all sites if the device can take them, else with one tile after the other. Each cell of
+/// `which` (ascending) is in the `own` of at most one of these parts. Returns the cells that are in no part,
+/// in any order: crowds, and bins that do not fit.
 Result<std::vector<std::uint32_t>> forTiles(const SiteSet& sites, const BackendInfo& info,
                                             std::span<const std::uint32_t> which, int threads,
                                             const std::function<Result<void>(const Tile&)>& work);

@@ -15,7 +15,7 @@ std::uint32_t halfOf(std::uint32_t count) { return (count + 1) / 2; }
 
 /// One level of the pyramid.
 struct Level {
-  std::size_t first;  ///< of its numbers
+  std::size_t first;  ///< of its values
   std::uint32_t columns, rows;
 };
 

@@ -21,7 +21,8 @@ namespace {
 constexpr std::size_t weights_grain = 1 << 16;
 constexpr double infinite = std::numeric_limits<double>::infinity();
 constexpr double heaviest_usable = 0x1p600;  ///< in squares of domains
-/// Weights nearer to 0 are 0, as coordinates are: exact decisions multiply them by two differences of those.
+/// Weights nearer to 0 become 0, as coordinates do: exact decisions multiply them by two coordinate
+/// differences.
 constexpr double least_weight = least_coordinate * least_coordinate;
 
 bool isUsable(double weight) { return std::abs(weight) <= heaviest_usable; }

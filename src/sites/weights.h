@@ -8,14 +8,14 @@ namespace vorpipe::core {
 /// Whether two weights differ; false without weights.
 bool hasWeights(const Sites& sites);
 
-/// Weights by input index in the units of a SiteSet, which are the input's times 4^exponent. The least is
-/// taken from all of them if that rounds none: a number added to all then changes nothing, and else they
-/// are not far from 0. Empty if all are equal, or if there are none.
-/// Errors (input): a weight that is not finite, or is more than 2^600 squared domains.
+/// Weights by input index in the units of a SiteSet, which are the input's times 4^exponent. Subtracts the
+/// least from all if that rounds none: a number added to all then changes nothing, and else they are not far
+/// from 0. Empty if all are equal, or if there are none. Errors (input): a weight that is not finite, or is
+/// more than 2^600 squared domains.
 Result<std::vector<double>> scaledWeights(const Sites& sites, int exponent, int threads);
 
-/// Gives weights, by input index, to a set whose sites stand in their bins: weight, heavy, grid.heaviest.
-/// None if those of the set's sites are equal.
+/// Sets weight, heavy and grid.heaviest, from weights by input index, in a set whose sites are already in
+/// their bins. Sets none if all weights of the set's sites are equal.
 void giveWeights(const std::vector<double>& by_input, int threads, SiteSet& set);
 
 }  // namespace vorpipe::core

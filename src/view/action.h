@@ -1,4 +1,4 @@
-/// What a key or a button of the panel asks for.
+/// Actions that a key or a panel button can request.
 #pragma once
 
 #include <cstdint>
@@ -9,16 +9,16 @@ enum class Action : std::uint8_t {
   undo,
   redo,
   fit,   ///< shows the whole domain
-  step,  ///< one step of relaxation, or of a fluid
-  run,   ///< relaxes or flows until it is told to pause
+  step,  ///< one step of relaxation or of a fluid
+  run,   ///< relaxes or flows until paused
   pause,
-  begin_again,  ///< the fluid as it was at first
+  begin_again,  ///< resets the fluid to its initial state
   save_png,     ///< the picture, without the panel
   save_svg,
   save_sites,    ///< a .csv of the sites
   save_fluid,    ///< a checkpoint, for `vorpipe fluid --resume`
-  next_backend,  ///< of those that work here
-  compare,       ///< with another backend, or no more
+  next_backend,  ///< among those that work here
+  compare,       ///< toggles the comparison with another backend
   copy_command,  ///< the command line that makes this picture, to the clipboard and to standard output
   close,
 };

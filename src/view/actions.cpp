@@ -13,7 +13,7 @@ struct ActionButton {
   bool enabled = true;
 };
 
-/// Buttons that share the room that is left in a row, each by how long its name is.
+/// Draws buttons that fill the rest of a row, with widths according to the lengths of their labels.
 void drawButtons(PanelFrame& frame, std::span<const ActionButton> buttons) {
   const float gap = ImGui::GetStyle().ItemSpacing.x,
               right = ImGui::GetCursorPosX() + ImGui::GetContentRegionAvail().x;

@@ -13,7 +13,7 @@
 namespace vorpipe::view {
 namespace {
 
-/// As many frames does the panel draw the times of.
+/// Number of frames whose times the panel draws.
 constexpr std::size_t history_length = 120;
 
 }  // namespace
@@ -22,9 +22,9 @@ void Viewer::accept(Frame& frame) {
   if (frame.fluid && !acceptFluid(frame)) return;
   if (frame.relaxed_from && frame.relaxed_from != frame.sites) {
     const bool fits = settings_.motion != Motion::rests && document_.relax(frame.relaxed_from, frame.sites);
-    // Sites have changed by something else while they moved: this is a picture of others.
+    // Something else has changed the sites meanwhile, so this picture shows other sites.
     if (!fits) return;
-    // What was wished meanwhile was of the sites before.
+    // Wishes issued meanwhile were for the sites before this step.
     if (frame.wish < wished_) want(Changed::view);
   }
   if (frame.step) step_ = frame.step;
@@ -43,8 +43,8 @@ void Viewer::accept(Frame& frame) {
   ++shown_version_;
 }
 
-/// Where two backends are compared, their pictures as one: the line between them stands in the window,
-/// wherever the pictures do.
+/// Joins the pictures of two compared backends into one. The line between them is fixed in the window,
+/// wherever the pictures lie.
 void Viewer::putSideBySide() {
   const Frame* const frame = seen();
   if (frame == nullptr || !frame->compared || !settings_.compared) {
@@ -68,7 +68,7 @@ void Viewer::refuse(const Answer& answer) {
   }
   message_ = answer.error->message;
   if (answer.wish == 0) return;
-  // What stays is sharp.
+  // The picture that remains is sharp.
   if (std::exchange(preview_, std::nullopt)) ++shown_version_;
   settings_.motion = Motion::rests;
   document_.settle();
@@ -79,7 +79,7 @@ void Viewer::refuse(const Answer& answer) {
     return;
   }
   if (answer.wish < wished_ || drawTheSame(settings_, drawn_settings_)) return;
-  // What could be drawn before is drawn again.
+  // Return to the settings of the last picture that could be drawn.
   settings_.picture = drawn_settings_.picture;
   settings_.backend = drawn_settings_.backend;
   settings_.compared = drawn_settings_.compared;
@@ -98,7 +98,7 @@ void Viewer::open(Loaded loaded, const std::string& path) {
   message_ = "Opened " + path;
 }
 
-/// What was opened, in place of what is there.
+/// Replaces the contents by what was opened.
 void Viewer::putAnother(Opened opened) {
   pointer_.release();
   settings_.motion = Motion::rests;

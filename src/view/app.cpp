@@ -16,10 +16,10 @@
 namespace vorpipe::view {
 namespace {
 
-/// Seconds after which a window that waits looks whether it is to stop.
+/// Seconds between two checks whether a waiting window must stop.
 constexpr double look_every = 0.1;
 
-/// Frames that are drawn after something has happened: the panel shows some of it in the one after.
+/// Frames drawn after an event: the panel shows some effects only in the second.
 constexpr int frames_after_change = 2;
 
 class App {
@@ -41,7 +41,7 @@ class App {
   Result<void> recordShown();
   Result<void> countPictures();
   [[nodiscard]] bool isIdle() const { return to_draw_ == 0; }
-  /// Whether all that has happened is shown; where sites move, more always happens.
+  /// Whether everything so far is shown; always true while sites move, which never settles.
   [[nodiscard]] bool isShown() const { return isIdle() || viewer_.settings().motion == Motion::runs; }
 
   Screen& screen_;
@@ -55,7 +55,7 @@ class App {
   std::uint64_t counted_ = 0;
   Stopwatch watch_{};
   std::uint64_t recorded_ = 0;
-  Image last_shown_{};  ///< for a film of what a user does
+  Image last_shown_{};  ///< for recording a user's session
 };
 
 Result<void> App::begin() {
@@ -68,7 +68,7 @@ Result<void> App::begin() {
     player_ =
         std::make_unique<Player>(std::move(*options_.script), screen_, viewer_, stage_, recorder_.get());
   }
-  // The first picture stands beside the panel.
+  // Lets the first picture be placed beside the panel.
   return stage_.draw();
 }
 
@@ -80,7 +80,7 @@ void App::takeEvents() {
   for (std::size_t i = 0; i < events.size(); ++i) {
     const Event& event = events[i];
     to_draw_ = frames_after_change;
-    // Of places that the pointer has passed the last one counts.
+    // Of consecutive moves only the last one counts.
     const bool passed = i + 1 < events.size() && std::holds_alternative<Move>(events[i + 1]);
     if (passed && std::holds_alternative<Move>(event)) continue;
     const bool of_window = std::holds_alternative<Resize>(event) || std::holds_alternative<Minimize>(event) ||
@@ -92,7 +92,7 @@ void App::takeEvents() {
     if (std::holds_alternative<Close>(event)) {
       viewer_.take(event);
     } else if (!scripted && !stage_.keeps(event)) {
-      // A script is alone with its window, so that it does the same again.
+      // While a script plays, user input is ignored, so that the script is reproducible.
       viewer_.take(event);
     }
   }
@@ -109,7 +109,7 @@ Result<void> App::drawFrame() {
   return {};
 }
 
-/// Frames that are due, of what was shown up to now.
+/// Records the frames due so far, with the picture shown up to now.
 Result<void> App::recordUpToNow() {
   const auto due = static_cast<std::uint64_t>(watch_.seconds() * frame_rate);
   for (; last_shown_.width > 0 && recorded_ < due; ++recorded_) {
@@ -118,7 +118,7 @@ Result<void> App::recordUpToNow() {
   return {};
 }
 
-/// What a user does is recorded as it was: what is shown stays for as many frames as it took.
+/// Records a user's session in real time: each picture fills as many frames as it was shown.
 Result<void> App::recordShown() {
   if (viewer_.frame() == nullptr || screen_.width() == 0) return {};
   if (last_shown_.width == 0) watch_ = {};
@@ -129,12 +129,12 @@ Result<void> App::recordShown() {
   return {};
 }
 
-/// Draws again until there were as many pictures as --frames says.
+/// Draws again until there were --frames pictures.
 Result<void> App::countPictures() {
   if (options_.screenshot.empty() || player_ || !isShown() || viewer_.pictures() == counted_) return {};
   counted_ = viewer_.pictures();
   if (counted_ < options_.frames) {
-    // The next picture of what moves is on its way.
+    // Moving sites yield the next picture by themselves.
     if (viewer_.settings().motion != Motion::runs) viewer_.drawAgain();
     viewer_.wish();
     return {};

@@ -1,4 +1,4 @@
-/// `vorpipe view`: the loop that has a window and a viewer meet.
+/// `vorpipe view`: the main loop, which connects a window to a viewer.
 #pragma once
 
 #include <cstdint>
@@ -16,20 +16,20 @@ namespace vorpipe::view {
 struct AppOptions {
   ViewerOptions viewer{};
   std::optional<Script> script{};
-  std::string record{};      ///< a film or a folder; empty: none
-  std::string screenshot{};  ///< of what is shown after `frames` pictures, after which it closes; empty: none
+  std::string record{};      ///< path of a film or a folder; empty: none
+  std::string screenshot{};  ///< path; taken after `frames` pictures, then the window closes; empty: none
   std::uint64_t frames = 1;
-  std::function<bool()> is_stopped;  ///< asked often; true ends it
+  std::function<bool()> is_stopped;  ///< polled often; true ends the loop
 };
 
 struct AppEnd {
   std::uint64_t pictures = 0;
   std::string computed_by{};
-  std::vector<std::string> validation{};  ///< what the validation layers said
+  std::vector<std::string> validation{};  ///< messages of the validation layers
 };
 
-/// Runs until the window is closed, `is_stopped`, or `frames` were shown. Errors: no backend works, or the
-/// sites cannot be drawn at all; a script waited too long; a file cannot be written.
+/// Runs until the window is closed, `is_stopped` returns true, or `frames` pictures were shown. Errors: no
+/// backend works, or the sites cannot be drawn at all; a script waited too long; a file cannot be written.
 Result<AppEnd> run(Screen& screen, AppOptions options);
 
 }  // namespace vorpipe::view

@@ -7,7 +7,7 @@
 namespace vorpipe::view {
 namespace {
 
-/// How much more than the domain is shown, so that its walls are seen.
+/// Size of a fitted view relative to the domain, so that the walls are visible.
 constexpr double margin = 1.04;
 
 }  // namespace
@@ -36,7 +36,7 @@ void Camera::fit() {
   scale_ = margin * std::max(wide / (width_ - left - right), high / height_);
   fitted_ = true;
   if (left == 0 && right == 0) return;
-  // No farther from the window's middle than it takes.
+  // Moves the domain away from the window's middle no farther than necessary.
   const double reach = margin * wide / scale_ / 2, free = width_ / 2.0;
   middle_.x -= scale_ * std::max(0.0, reach - (free - left));
   middle_.x += scale_ * std::max(0.0, reach - (free - right));
@@ -64,7 +64,7 @@ void Camera::zoom(Place fixed, double factor) {
   const double side = std::max(domain_.xmax - domain_.xmin, domain_.ymax - domain_.ymin);
   const double farthest = std::max(
       {std::abs(domain_.xmin), std::abs(domain_.xmax), std::abs(domain_.ymin), std::abs(domain_.ymax), side});
-  // Room for the arithmetic of pictures: a pixel is some thousand steps of the largest coordinate.
+  // Leaves precision for drawing: a pixel is some thousand ulps of the largest coordinate.
   constexpr double steps = 4096;
   const double least = steps * farthest * std::numeric_limits<double>::epsilon();
   const Point kept = pointAt(fixed);

@@ -19,7 +19,7 @@ void drawMaps(Widgets& widgets, RenderOptions& picture) {
   const ImVec2 at = ImGui::GetCursorScreenPos();
   const float height = ImGui::GetFrameHeight();
   const float pad = widgets.px(4), bar = widgets.px(70);
-  // The closed list shows a bar over its own name, which stands to the right of it by spaces.
+  // The closed list shows a color bar, with the map's name to its right.
   ImDrawList& list = *ImGui::GetWindowDrawList();
   const bool open = widgets.beginList("Colormap", "");
   list.AddText({at.x + bar + 3 * pad, at.y + ImGui::GetStyle().FramePadding.y}, look::text,
@@ -41,8 +41,8 @@ void drawMaps(Widgets& widgets, RenderOptions& picture) {
   }
 }
 
-/// As keys do it: where colors stand for something else, the values and the scale of before mean nothing; and
-/// by site they have no legend.
+/// Like the keys: if the colors get another meaning, resets their range and scale; colors by site have no
+/// legend.
 void colorBy(ColorBy color, RenderOptions& picture) {
   if (color == picture.color) return;
   picture.color = color;

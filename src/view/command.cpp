@@ -8,7 +8,7 @@
 namespace vorpipe::view {
 namespace {
 
-/// Options, one after the other.
+/// Collects the arguments of a command line.
 class Arguments {
  public:
   explicit Arguments(std::vector<std::string> first) : all_(std::move(first)) {}
@@ -16,7 +16,7 @@ class Arguments {
   void flag(bool is_set, std::string_view name) {
     if (is_set) all_.emplace_back(name);
   }
-  /// A value that begins like an option stands in one word with its name.
+  /// A value that begins like an option is joined to its name with =.
   template <class Value>
   void add(std::string_view name, const Value& value) {
     std::string text = fmt::format("{}", value);
@@ -100,7 +100,7 @@ void addBackend(Arguments& to, const BackendOptions& backend) {
 void addPicture(Arguments& to, const RenderOptions& picture, const BackendOptions& backend) {
   if (picture.view) to.box("--view", *picture.view);
   to.add("--size", fmt::format("{}x{}", picture.width, picture.height));
-  // The view has the picture's aspect.
+  // The view already has the picture's aspect ratio.
   to.add("--fit", "stretch");
   addColors(to, picture);
   addMarks(to, picture);
@@ -124,7 +124,7 @@ std::vector<std::string> commandForFluid(const std::string& checkpoint, const Re
   Arguments arguments({"vorpipe", "fluid"});
   arguments.add("--resume", checkpoint);
   arguments.add("--steps", 100);
-  // It takes no masks.
+  // `vorpipe fluid` takes no masks.
   BackendOptions unmasked = backend;
   unmasked.mask = {};
   addPicture(arguments, picture, unmasked);

@@ -1,4 +1,4 @@
-/// The command line that makes the picture of a window.
+/// The command line that reproduces a window's picture.
 #pragma once
 
 #include <string>
@@ -13,20 +13,20 @@ namespace vorpipe::view {
 
 /// The files that a command line reads and writes.
 struct CommandFiles {
-  std::string sites;    ///< of the document; not read where it is as it was opened
-  std::string outline;  ///< likewise, and where there is an outline
+  std::string sites;    ///< of the document; not used while the document is as it was opened
+  std::string outline;  ///< likewise; only if there is an outline
   std::string picture = "picture.png";
 };
 
-/// `vorpipe render` and its options, which draw `picture` of the document's sites with the ids that it has.
+/// Returns `vorpipe render` with the options that draw `picture` of the document's sites, with the same ids.
 std::vector<std::string> commandFor(const Document& document, const RenderOptions& picture,
                                     const BackendOptions& backend, const CommandFiles& files);
 
-/// `vorpipe fluid` and its options, which go on from a checkpoint: of its pictures the first is `picture`.
+/// Returns `vorpipe fluid` with the options that continue from a checkpoint; its first picture is `picture`.
 std::vector<std::string> commandForFluid(const std::string& checkpoint, const RenderOptions& picture,
                                          FlowColor color, const BackendOptions& backend);
 
-/// Writes sites as CSV, numbers with as many digits as tell them apart. Errors: those of OutputFile.
+/// Writes sites as CSV, each number with enough digits to be read back exactly. Errors: those of OutputFile.
 Result<void> writeSites(const std::string& path, const Sites& sites);
 
 /// Writes an outline as WKT, likewise.

@@ -14,7 +14,7 @@ std::size_t devicesOf(const std::vector<DeviceInfo>& devices, const std::string&
       devices.begin(), devices.end(), [&](const DeviceInfo& info) { return info.backend == backend; }));
 }
 
-/// What BackendOptions::device says to have the device at `index`: no more than is needed.
+/// Returns the shortest BackendOptions::device that selects the device at `index`.
 std::string deviceOption(const std::vector<DeviceInfo>& devices, std::size_t index) {
   const DeviceInfo& device = devices[index];
   if (devicesOf(devices, device.backend) == 1) return {};
@@ -33,8 +33,8 @@ std::string titleOf(const DeviceInfo& info) {
              : fmt::format("{} \u00b7 {}", info.backend, info.name);
 }
 
-/// The devices of a list that is open, as items that are called `list`/backend; those that can be had are
-/// chosen by `choose`.
+/// Draws the devices as items, named `list`/backend, of an open list. Calls `choose` for a chosen one that is
+/// available.
 template <class Choose>
 void drawDevices(PanelFrame& frame, const char* list, const BackendOptions& chosen, const Choose& choose) {
   Widgets& widgets = frame.widgets;

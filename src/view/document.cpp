@@ -11,7 +11,7 @@ FixedSites sitesOf(const std::shared_ptr<const Opened>& opened) {
   return opened->fluid ? opened->fluid->sites : FixedSites(opened, &opened->sites);
 }
 
-/// `value`, moved by whole periods into [low, high).
+/// Returns `value` moved by whole periods into [low, high).
 double wrappedInto(double value, double low, double high) {
   const double period = high - low;
   const double inside = value - std::floor((value - low) / period) * period;
@@ -126,7 +126,7 @@ void Document::move(std::uint32_t site, Point to) {
 
 void Document::addWeight(std::uint32_t site, double by) {
   if (now_.sites->weight.empty()) {
-    // Undone, they are to have no weights again.
+    // Undo must remove the weights again.
     const State before = now_;
     auto sites = std::make_shared<Sites>(*now_.sites);
     sites->weight.assign(sites->size(), 0);

@@ -1,4 +1,4 @@
-/// The sites of a window, and what was done to them, which can be undone.
+/// The sites of a window, with the history of edits for undo and redo.
 #pragma once
 
 #include <cstddef>
@@ -18,39 +18,39 @@ class Document {
   explicit Document(Opened opened);
 
   [[nodiscard]] const FixedSites& sites() const { return now_.sites; }
-  /// What was opened last, but for undone: domain, outline and period are those of the sites.
+  /// What was opened last and not undone; its domain, outline and period are those of the sites.
   [[nodiscard]] const Opened& opened() const { return *now_.opened; }
-  /// Whether the sites are still, or again, those that were opened.
+  /// Whether the sites are those that were opened: unedited, or edited and restored by undo.
   [[nodiscard]] bool isAsOpened() const { return now_.revision == now_.opened_revision; }
-  /// The fluid that the sites are of, as it is now; null: they are no fluid's.
+  /// The present state of the fluid that the sites belong to; null: no fluid.
   [[nodiscard]] const FixedFluid& fluid() const { return now_.fluid; }
-  /// Equal numbers are equal sites.
+  /// Equal revisions have equal sites.
   [[nodiscard]] std::uint64_t revision() const { return now_.revision; }
   [[nodiscard]] Point place(std::uint32_t site) const { return {now_.sites->x[site], now_.sites->y[site]}; }
   [[nodiscard]] double weight(std::uint32_t site) const;
-  /// A place as the domain has it: where an axis repeats itself, inside.
+  /// Returns a place mapped into the domain along each periodic axis.
   [[nodiscard]] Point inDomain(Point place) const;
   [[nodiscard]] bool isInDomain(Point place) const;
 
-  /// Continues a fluid; undo() does not take that back. False where `from` is not that of the document any
-  /// more: nothing happens.
+  /// Continues a fluid; undo() does not revert that. Does nothing and returns false if `from` is no longer
+  /// the document's fluid.
   bool flow(const FixedFluid& from, FixedFluid to);
 
-  // What follows can be undone, and but for open() is not for fluids.
+  // The following can be undone. Except for open(), none of it applies to fluids.
 
-  /// Adds a site, of weight 0 among others with weights, and returns its index: the last one.
+  /// Adds a site, with weight 0 if sites have weights, and returns its index: the last one.
   std::uint32_t add(Point place);
   void remove(std::uint32_t site);
-  /// Moves of one site are one edit up to settle().
+  /// Consecutive moves of one site form one edit until settle().
   void move(std::uint32_t site, Point to);
-  /// Likewise. Sites that have no weights get them, of 0.
+  /// Likewise. If sites have no weights, all get weight 0 first.
   void addWeight(std::uint32_t site, double by);
-  /// Sites moved by themselves, `from` to `to`, in one edit up to settle(). False where they are not those of
-  /// the document any more: nothing happens.
+  /// Records that relaxation moved the sites `from` to `to`; one edit until settle(). Does nothing and
+  /// returns false if `from` are no longer the document's sites.
   bool relax(const FixedSites& from, FixedSites to);
   void open(Opened opened);
 
-  /// Ends an edit that would take up what comes next.
+  /// Ends the current edit: later changes start a new one.
   void settle() { growing_ = Growing::nothing; }
 
   [[nodiscard]] bool canUndo() const { return done_ > 0; }
@@ -67,10 +67,10 @@ class Document {
     std::shared_ptr<const Opened> opened;
     FixedSites sites;
     FixedFluid fluid{};
-    std::uint64_t revision = 0;         ///< equal ones are equal states
+    std::uint64_t revision = 0;         ///< equal revisions are equal states
     std::uint64_t opened_revision = 0;  ///< that of `opened`
   };
-  /// Of one site, which was not there before, or is not any more.
+  /// A change of one site; without `before` it is added, without `after` removed.
   struct SiteChange {
     std::uint32_t site = 0;
     std::optional<Site> before{}, after{};
@@ -86,13 +86,13 @@ class Document {
   void apply(std::uint32_t site, const std::optional<Site>& before, const std::optional<Site>& after);
   void change(std::uint32_t site, const std::optional<Site>& after, Growing growing);
   void record(Edit edit);
-  /// Whether the last edit takes up another one of this kind.
+  /// Whether the last edit absorbs another one of this kind.
   bool takesUp(Growing growing, std::uint32_t site);
 
   State now_;
   std::uint64_t revisions_ = 0;
   std::vector<Edit> edits_;
-  std::size_t done_ = 0;  ///< of the edits; those after can be done again
+  std::size_t done_ = 0;  ///< number of edits in effect; those after it can be redone
   Growing growing_ = Growing::nothing;
   std::uint32_t growing_site_ = 0;
 };

@@ -10,7 +10,7 @@
 namespace vorpipe::view {
 namespace {
 
-// Dear ImGui 1.87 has functions where earlier ones have fields.
+// Since 1.87, Dear ImGui takes input by functions; earlier versions by fields.
 #if IMGUI_VERSION_NUM >= 18700
 void feedPlace(Place place) {
   ImGui::GetIO().AddMousePosEvent(static_cast<float>(place.x), static_cast<float>(place.y));
@@ -22,7 +22,7 @@ void feedWheel(double steps) { ImGui::GetIO().AddMouseWheelEvent(0, static_cast<
 void feedKey(int key, bool down) { ImGui::GetIO().AddKeyEvent(static_cast<ImGuiKey>(key), down); }
 void feedModifiers(const Modifiers& with) {
   ImGuiIO& io = ImGui::GetIO();
-  // Frames see all that was handed over: what must be apart is, by next().
+  // Each frame sees all passed events: next() already separates those that must be apart.
   io.ConfigInputTrickleEventQueue = false;
 #if IMGUI_VERSION_NUM >= 18900
   io.AddKeyEvent(ImGuiMod_Shift, with.shift);
@@ -41,7 +41,7 @@ void feedPlace(Place place) {
 void feedButton(Button button, bool down) { ImGui::GetIO().MouseDown[static_cast<int>(button)] = down; }
 void feedWheel(double steps) { ImGui::GetIO().MouseWheel += static_cast<float>(steps); }
 void feedKey(int key, bool down) {
-  // The keys that it knows are numbered as it names them.
+  // Maps each ImGui key to itself.
   ImGui::GetIO().KeyMap[key] = key;
   ImGui::GetIO().KeysDown[key] = down;
 }
@@ -53,7 +53,7 @@ void feedModifiers(const Modifiers& with) {
 }
 #endif
 
-// Those that edit a number.
+// The keys for editing a number.
 constexpr auto keys = std::to_array<std::pair<std::string_view, int>>({
     {"left", ImGuiKey_LeftArrow},
     {"right", ImGuiKey_RightArrow},
@@ -82,7 +82,7 @@ bool Feed::next() {
   held_.clear();
   bool moved = false;
   while (!events_.empty()) {
-    // What is dragged follows the pointer while the button is held: it is let go a frame later.
+    // A drag follows the pointer only while the button is held, so the release comes a frame after the move.
     if (moved && std::holds_alternative<Release>(events_.front())) return true;
     const Event event = std::move(events_.front());
     events_.pop_front();
@@ -106,7 +106,7 @@ bool Feed::next() {
       return true;
     }
     if (const auto* text = std::get_if<Text>(&event)) {
-      // Keys that were held for the key before would make another command of it.
+      // Modifiers still held from the previous key would turn the text into a command.
       feedModifiers({});
       ImGui::GetIO().AddInputCharactersUTF8(text->utf8.c_str());
       return true;

@@ -1,4 +1,4 @@
-/// A window's events, for Dear ImGui.
+/// Passes a window's events to Dear ImGui.
 #pragma once
 
 #include <deque>
@@ -8,17 +8,17 @@
 
 namespace vorpipe::view {
 
-/// Hands events to Dear ImGui's context: in one frame as many as it tells apart, so that a press is seen
-/// before its release.
+/// Passes events to Dear ImGui's context: per frame only as many as ImGui can distinguish, so that it sees a
+/// press before its release.
 class Feed {
  public:
   void take(const Event& event) { events_.push_back(event); }
-  /// Before a frame: hands over what it is to see. Whether there was any.
+  /// Call before a frame: passes the frame's events, and returns whether there were any.
   bool next();
 
  private:
   std::deque<Event> events_;
-  std::vector<int> held_;  ///< keys that are to be released again
+  std::vector<int> held_;  ///< keys to release in the next frame
 };
 
 }  // namespace vorpipe::view

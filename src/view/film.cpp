@@ -18,7 +18,7 @@
 #include "io/base/error.h"
 #include "io/base/output_file.h"
 
-// Not every system has it in a header. NOLINTNEXTLINE(readability-redundant-declaration)
+// Not every system declares it in a header. NOLINTNEXTLINE(readability-redundant-declaration)
 extern char** environ;
 
 namespace vorpipe::view {
@@ -26,7 +26,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// The program in one of the folders of PATH; empty where there is none.
+/// Returns the program's path in the folders of PATH; empty if not found.
 std::string foundOnPath(const std::string& program) {
   const char* const path = std::getenv("PATH");
   std::string folders = path == nullptr ? "" : path;
@@ -70,7 +70,7 @@ class Film final : public Recorder {
   Result<void> begin(int width, int height);
   std::vector<std::uint32_t> fitted(const Image& frame) const;
   Result<void> writeAll(const std::vector<std::uint32_t>& pixels);
-  /// Ends its input, and waits for it: its exit status.
+  /// Closes ffmpeg's input, waits for it, and returns its exit status.
   int await();
 
   std::string ffmpeg_, path_;
@@ -91,8 +91,8 @@ Result<void> Film::begin(int width, int height) {
   std::vector<std::string> arguments = {
       ffmpeg_, "-y", "-loglevel", "error", "-f", "rawvideo", "-pixel_format", "rgba", "-video_size",
       fmt::format("{}x{}", width, height), "-framerate", std::to_string(frame_rate), "-i", "-",
-      // The usual color format of films takes even sides. Unless a film says how its colors are meant,
-      // players take those of large ones otherwise than ffmpeg writes them.
+      // The usual color format of films needs even sides. Without color tags, players decode large films with
+      // another color matrix than ffmpeg used.
       "-vf", "scale=out_color_matrix=bt709:out_range=tv,pad=ceil(iw/2)*2:ceil(ih/2)*2", "-pix_fmt", "yuv420p",
       "-colorspace", "bt709", "-color_primaries", "bt709", "-color_trc", "bt709", "-color_range", "tv",
       "-movflags", "+faststart", "-f", "mp4", file_.temporary()};
@@ -105,7 +105,7 @@ Result<void> Film::begin(int width, int height) {
   posix_spawn_file_actions_adddup2(&actions, ends[0], STDIN_FILENO);
   posix_spawnattr_t attributes;
   posix_spawnattr_init(&attributes);
-  // Ctrl-C is for this program, which then ends the film.
+  // Ctrl-C must reach only this program, which then ends the film.
   posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETPGROUP);
   posix_spawnattr_setpgroup(&attributes, 0);
   const int code = posix_spawn(&process_, ffmpeg_.c_str(), &actions, &attributes, pointers.data(), environ);
@@ -169,7 +169,7 @@ Result<std::unique_ptr<Recorder>> openFilm(const std::string& path) {
   if (file->temporary().empty()) {
     return inputError(path + ": a film is no stream: ffmpeg ends it at its beginning");
   }
-  // Where ffmpeg ends early, writing to it is to fail, and not to end this program.
+  // If ffmpeg ends early, writing to it must fail and not end this program.
   signal(SIGPIPE, SIG_IGN);
   return std::make_unique<Film>(std::move(ffmpeg), path, std::move(*file));
 }

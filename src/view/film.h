@@ -1,4 +1,4 @@
-/// A film that ffmpeg makes.
+/// A film encoded by ffmpeg.
 #pragma once
 
 #include <memory>

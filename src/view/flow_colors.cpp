@@ -6,7 +6,7 @@
 namespace vorpipe::view {
 namespace {
 
-/// A color through which another one is seen: white is not.
+/// Multiplies two colors channel by channel; white leaves the other unchanged.
 std::uint32_t through(std::uint32_t filter, std::uint32_t color) {
   constexpr std::uint32_t most = 255;
   std::uint32_t seen = color & 0xFF000000U;

@@ -1,4 +1,4 @@
-/// Colors of a fluid's cells that stand for what flows.
+/// Colors of a fluid's cells by density or speed.
 #pragma once
 
 #include <string>
@@ -8,14 +8,14 @@
 
 namespace vorpipe::view {
 
-/// The same picture of white cells, which colorFlow() gives their colors.
+/// Returns options for the same picture with white cells, which colorFlow() then colors.
 RenderOptions ofWhiteCells(RenderOptions options);
 
-/// Sites whose weights are densities or speeds: colors by weight are then those of these values.
+/// Returns sites whose weights are densities or speeds, so that coloring by weight shows these values.
 Sites valuesOf(const FluidState& state, FlowColor by);
 
-/// Colors white cells of a picture, and what was drawn over them: map, scale (linear where none is named) and
-/// range are those of `options`. With several places in a pixel, it has the color of the cell in its middle.
+/// Colors the white cells of a picture and the marks over them. Map, scale (linear if none is named) and
+/// range are those of `options`. A pixel with several samples gets the color of the cell at its center.
 /// Errors: those of siteColors.
 Result<void> colorFlow(const FluidState& state, FlowColor by, const RenderOptions& options, Image& image);
 

@@ -9,10 +9,11 @@
 namespace vorpipe::view {
 namespace {
 
-/// A stroke is summed up over pieces that are no longer than this part of the radius.
+/// A stroke is summed over pieces of at most this fraction of the radius.
 constexpr double longest_piece = 0.125;
 
-/// From 1 in the middle to 0 at the radius, smoothly; of the square of the distance over the radius.
+/// Brush profile, smoothly from 1 at the center to 0 at the radius; takes the squared ratio of distance to
+/// radius.
 double brush(double squared) { return squared < 1 ? (1 - squared) * (1 - squared) : 0; }
 
 double leastImage(double difference, bool repeats, double period) {

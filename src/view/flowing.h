@@ -1,4 +1,4 @@
-/// A fluid in a window, at one moment.
+/// The state of a window's fluid at one moment.
 #pragma once
 
 #include <cstdint>
@@ -10,45 +10,46 @@
 
 namespace vorpipe::view {
 
-/// Sites that do not change any more: where they do, there are others. So that a pointer tells which they
-/// are, and another thread may have them.
+/// Immutable sites: a change makes new ones. So pointers can be compared instead of sites, and threads can
+/// share them.
 using FixedSites = std::shared_ptr<const Sites>;
 
-/// All that later steps depend on. It does not change any more: a step makes another.
+/// All that later steps depend on. Immutable: a step makes a new one.
 struct Flowing {
-  FluidSetup setup{};         ///< as it is now; without progress
-  FluidStep last{};           ///< the result of the last step
-  FixedSites sites{};         ///< those of the state; velocities alone may change between two with the same
-  bool is_begun = false;      ///< its sites have the weights of their cells
-  std::uint64_t stirred = 0;  ///< the number of the last stroke that is in its velocities
+  FluidSetup setup{};  ///< present setup; without progress
+  FluidStep last{};    ///< the result of the last step
+  FixedSites sites{};  ///< those of the state; two states with the same sites may still differ in velocities
+  bool is_begun = false;      ///< the sites already have their cells' weights
+  std::uint64_t stirred = 0;  ///< the number of the last stroke included in the velocities
 };
 using FixedFluid = std::shared_ptr<const Flowing>;
 
-/// A fluid that is to begin, or to go on with other options.
+/// Returns a fluid that is yet to begin, or to continue with other options.
 FixedFluid toBegin(FluidSetup setup);
 
-/// What colors of a fluid's cells stand for.
+/// What the colors of a fluid's cells show.
 enum class FlowColor : std::uint8_t {
-  none,  ///< what ColorBy says
+  none,  ///< as ColorBy selects
   density,
   speed,
 };
 
-/// Density where there are several, and cells would have the colors of their indices.
+/// Returns density if there are several densities and cells would otherwise be colored by index.
 FlowColor usualFlowColor(const FluidState& state, ColorBy color);
 
-/// The pointer, as it was dragged through a fluid.
+/// A drag of the pointer through a fluid.
 struct Stroke {
-  std::uint64_t number = 0;  ///< above that of all before
+  std::uint64_t number = 0;  ///< larger than all before
   Point from{0, 0}, to{0, 0};
   double radius = 0;  ///< of the brush; nothing beyond it is pushed
-  double speed = 0;   ///< that a stroke as long as the radius adds to what lies on its way
+  double speed = 0;   ///< speed that a stroke as long as the radius adds to the fluid on its path
 };
 
-/// What a stroke adds to the velocities of a fluid's sites, whatever pieces it is drawn in.
+/// Returns what a stroke adds to the velocities of a fluid's sites. Splitting the stroke does not change the
+/// sum.
 std::vector<Point> pushOf(const Stroke& stroke, const FluidSetup& fluid);
 
-/// A speed that is usual in a fluid: that of its sites, or of what falls through its domain.
+/// Returns a typical speed of a fluid: that of its sites, or of a fall through its domain.
 double usualSpeed(const FluidSetup& fluid);
 
 }  // namespace vorpipe::view

@@ -1,4 +1,4 @@
-// What a viewer does with a fluid.
+// Viewer's functions for fluids.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -9,7 +9,7 @@
 namespace vorpipe::view {
 namespace {
 
-/// As many steps make the mean of how many there are in a second.
+/// Number of steps over which the steps per second are averaged.
 constexpr std::size_t steps_of_mean = 20;
 
 double shorterSide(const Box& box) { return std::min(box.xmax - box.xmin, box.ymax - box.ymin); }
@@ -23,10 +23,10 @@ std::string endText(FluidEnd end, const FluidStep& last) {
 
 }  // namespace
 
-/// What the pointer has changed.
+/// Handles what the pointer has changed.
 void Viewer::changed(Changed by) {
   if (by == Changed::stroke) return stir();
-  // What was said of sites that rest is not about others.
+  // The result of the last relaxation step does not apply to changed sites.
   if ((by == Changed::sites || by == Changed::drag) && settings_.motion == Motion::rests) step_.reset();
   if (by != Changed::refused) return want(by);
   message_ = "Cells of a fluid are not added, removed or weighted.";
@@ -70,13 +70,13 @@ void Viewer::flowBy(const FluidOptions& options) {
   want(Changed::sites);
 }
 
-/// Takes the state of the fluid; returns whether the picture is one of it.
+/// Takes the fluid's state from a frame; returns whether the picture shows the document's fluid.
 bool Viewer::acceptFluid(const Frame& frame) {
   if (frame.fluid != frame.fluid_from) {
     const bool is_wanted = !frame.flowed || settings_.motion != Motion::rests;
-    // It has become another one meanwhile, or waits before this step.
+    // The fluid was replaced or paused meanwhile.
     if (!is_wanted || !document_.flow(frame.fluid_from, frame.fluid)) return false;
-    // What was wished meanwhile was of the fluid before.
+    // Wishes issued meanwhile were for the fluid before this step.
     if (frame.wish < wished_) want(Changed::view);
   }
   std::erase_if(strokes_, [&](const Stroke& stroke) { return stroke.number <= frame.fluid->stirred; });

@@ -16,7 +16,7 @@ namespace {
 const std::array<std::string, 2> scheme_names{"springs", "projection"};
 const std::array<std::uint64_t, 4> parcel_counts{512, 2048, 8192, 32768};
 
-/// The name of a file without its folder.
+/// Draws the list of cases.
 void drawCases(PanelFrame& frame) {
   Widgets& widgets = frame.widgets;
   const std::optional<FluidShown>& fluid = frame.input.fluid;
@@ -32,7 +32,7 @@ void drawCases(PanelFrame& frame) {
   widgets.endList();
 }
 
-/// How many cells a case has. One that flows begins again with them.
+/// Draws the choice of the number of cells. A present case restarts with the new number.
 void drawCounts(PanelFrame& frame) {
   frame.widgets.row("Cells");
   std::vector<std::string> labels;

@@ -19,14 +19,14 @@ double kineticEnergy(const FluidState& state) {
 
 }  // namespace
 
-/// Whether the fluid of the wish is in the state of this one; or where it was before, of a wish that was
-/// made in the same gesture before the last change was known.
+/// Whether the wish's fluid is in this one's present state. Or in the state before, if the wish was issued in
+/// the same gesture before the last change was known.
 bool FluidRun::isAt(const Wish& wish) const {
   if (!fluid_) return false;
   return wish.fluid == now_ || (wish.fluid == before_ && wish.gesture == gesture_);
 }
 
-/// The state of the fluid, for others.
+/// Makes the fluid's present state available to others, as `now_`.
 void FluidRun::take(FixedSites sites, std::uint64_t stirred) {
   auto flowing = std::make_shared<Flowing>();
   flowing->setup = {fluid_->state(), setup_.options};
@@ -66,7 +66,7 @@ Result<void> FluidRun::step(Frame& frame) {
   const auto more = fluid_->step();
   if (!more || !*more) {
     const FluidEnd end = fluid_->end();
-    // It continues from `now_` as a new one.
+    // A new fluid will continue from `now_`.
     fluid_.reset();
     if (!more) return tl::unexpected(more.error());
     if (end == FluidEnd::cancelled) return tl::unexpected(Error{ErrorCode::cancelled, "cancelled"});
@@ -83,7 +83,7 @@ Result<void> FluidRun::go(Session& session, const Wish& wish, const Progress& pr
   const bool steps = wish.motion != Motion::rests;
   frame.fluid_from = frame.fluid = wish.fluid;
   if (wish.fluid->is_begun && !stirs && !steps) return {};
-  // One step is one from where it was wished.
+  // A single step must start from the state for which it was wished.
   const bool is_at = isAt(wish) && (wish.motion != Motion::steps_once || wish.fluid == now_);
   if (!is_at) {
     VORPIPE_TRY(begin(session, wish.fluid, progress));

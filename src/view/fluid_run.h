@@ -1,4 +1,4 @@
-/// A fluid on its way, on the thread that draws its pictures.
+/// A running fluid, on the thread that draws its pictures.
 #pragma once
 
 #include <cstdint>
@@ -11,13 +11,13 @@ namespace vorpipe::view {
 
 class FluidRun {
  public:
-  /// Begins, stirs and moves the fluid of a wish as that asks for; the frame gets its state.
-  /// Errors: those of Fluid::begin and Fluid::step; of what `progress` gives up, an error that is cancelled.
+  /// Begins, stirs and steps the fluid as the wish asks, and stores its state in the frame.
+  /// Errors: those of Fluid::begin and Fluid::step; cancelled if `progress` stops it.
   Result<void> go(Session& session, const Wish& wish, const Progress& progress, Frame& frame);
 
-  /// Before the session ends.
+  /// Call before the session ends.
   void reset() { fluid_.reset(); }
-  /// Of the last diagram, if there was one.
+  /// The report of the last diagram, or null.
   [[nodiscard]] const Report* report() const { return fluid_ ? &fluid_->report() : nullptr; }
 
  private:
@@ -28,9 +28,9 @@ class FluidRun {
   void take(FixedSites sites, std::uint64_t stirred);
 
   std::optional<Fluid> fluid_{};
-  FluidSetup setup_{};   ///< of the fluid; its state is not read
+  FluidSetup setup_{};   ///< of the fluid; its state is not used
   FixedFluid now_{};     ///< its present state
-  FixedFluid before_{};  ///< a wish earlier
+  FixedFluid before_{};  ///< its state one wish earlier
   std::uint64_t gesture_ = 0;
 };
 

@@ -13,13 +13,13 @@
 namespace vorpipe::view {
 
 PanelTexture drawFont(double scale) {
-  // Pairs of the first and the last character, up to a 0. Dear ImGui keeps the pointer.
+  // Pairs of first and last character, ended by 0. Dear ImGui keeps the pointer.
   static constexpr std::array<ImWchar, 11> ranges{0x20,   0x17F,  0x391,  0x3C9,  0x400, 0x45F,
                                                   0x2010, 0x2265, 0x25A0, 0x2715, 0};
   ImFontAtlas& atlas = *ImGui::GetIO().Fonts;
   atlas.Clear();
 #if IMGUI_VERSION_NUM >= 19200
-  // Else the texture begins in colors, and is made anew as GetTexDataAsAlpha8() finds them.
+  // Otherwise the texture starts as RGBA, and GetTexDataAsAlpha8() would build it again.
   atlas.TexDesiredFormat = ImTextureFormat_Alpha8;
 #endif
   atlas.Flags |= ImFontAtlasFlags_NoMouseCursors;
@@ -29,7 +29,7 @@ PanelTexture drawFont(double scale) {
   config.OversampleV = 1;
   config.PixelSnapH = true;
   const std::span<const unsigned char> file = fontFile();
-  // It is read alone.
+  // ImGui only reads it.
   // NOLINTNEXTLINE(cppcoreguidelines-pro-type-const-cast)
   auto* bytes = const_cast<unsigned char*>(file.data());
   atlas.AddFontFromMemoryTTF(bytes, static_cast<int>(file.size()),

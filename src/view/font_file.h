@@ -1,4 +1,4 @@
-/// The panel's letters.
+/// The panel's font.
 #pragma once
 
 #include <span>

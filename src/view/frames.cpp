@@ -15,7 +15,8 @@
 namespace vorpipe::view {
 namespace {
 
-/// The same of half as many rows and columns, with marks as large beside it; without what would be illegible.
+/// Returns the wish with half as many rows and columns, with marks of the same relative size, and without
+/// what would be illegible.
 Wish previewOf(Wish wish) {
   RenderOptions& picture = wish.picture;
   picture.width /= 2;
@@ -34,20 +35,20 @@ struct Frames::State {
 
   std::function<void()> wake;
   Load load;
-  std::mutex mutex;  ///< of what follows, up to the answers
+  std::mutex mutex;  ///< protects the members below, up to `answers`
   std::condition_variable wanted;
   std::optional<Wish> wish{};
-  std::deque<std::variant<Save, std::string>> files{};  ///< to write; or the path of one to load
+  std::deque<std::variant<Save, std::string>> files{};  ///< files to write, or paths of files to load
   bool stops = false;
   std::deque<Answer> answers{};
-  // What a computation asks, often, to learn whether it is still wanted.
+  // Polled by computations to learn whether they are still wanted.
   std::atomic<std::uint64_t> latest_wish{0}, latest_gesture{0};
   std::atomic<bool> gives_up{false};
-  // Of the thread alone.
+  // Used by the thread only.
   Painter painter{};
   bool may_measure = false;
-  std::uint64_t gesture = 0;      ///< of the wish before
-  double sharp_milliseconds = 0;  ///< that the last sharp picture took
+  std::uint64_t gesture = 0;      ///< of the previous wish
+  double sharp_milliseconds = 0;  ///< time of the last sharp picture
   bool knows_devices = false;
   std::thread thread{};
 
@@ -80,10 +81,10 @@ Answer Frames::State::paint(const Wish& next, const Outdated& outdated) {
   }
 }
 
-/// While something is dragged, and sharp pictures are late, one that is there sooner.
+/// Draws a preview, which is ready sooner, while something is dragged and sharp pictures are slow.
 void Frames::State::preview(const Wish& next, const Outdated& outdated) {
   Answer answer = paint(previewOf(next), outdated);
-  // What is wrong is told by the sharp one.
+  // The sharp picture will report the error.
   if (!answer.frame) return;
   answer.wish = 0;
   answer.preview = std::exchange(answer.frame, std::nullopt);
@@ -97,12 +98,12 @@ void Frames::State::fulfill(const Wish& next) {
                         next.picture.height > 1;
   const Outdated other_gesture = [&] { return gives_up || latest_gesture != next.gesture; };
   if (previews) preview(next, other_gesture);
-  // Where there is a preview, a sharp picture that is late already is not finished.
+  // With previews, a sharp picture that is already outdated is not finished.
   Answer answer = paint(
       next, previews ? Outdated([&] { return gives_up || latest_wish != next.number; }) : other_gesture);
   if (answer.frame) sharp_milliseconds = answer.frame->milliseconds;
   may_measure = answer.frame && next.motion != Motion::runs;
-  // A wish that was given up is answered with the one that took its place.
+  // A cancelled wish is answered by the wish that replaced it.
   if (!answer.error || answer.error->code != ErrorCode::cancelled) tell(std::move(answer));
 }
 
@@ -127,7 +128,7 @@ void Frames::State::read(const std::string& path) {
   tell(std::move(answer));
 }
 
-/// What is done while the window wants nothing else.
+/// Work for times when the window wants nothing else.
 void Frames::State::beIdle() {
   may_measure = false;
   Answer answer{};

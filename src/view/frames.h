@@ -1,4 +1,4 @@
-/// The thread that computes what a window shows, so that the window never waits for it.
+/// The thread that computes a window's pictures, so that the window never waits.
 #pragma once
 
 #include <functional>
@@ -9,21 +9,21 @@
 
 namespace vorpipe::view {
 
-/// Reads a file. Called on the thread of Frames.
+/// Reads a file. Called on the Frames thread.
 using Load = std::function<Result<Loaded>(const std::string& path)>;
 
 class Frames {
  public:
   /// `wake` is called, from the other thread, when there is an answer.
   Frames(std::function<void()> wake, Load load);
-  /// Gives up what is being done.
+  /// Cancels the work in progress.
   ~Frames();
   Frames(const Frames&) = delete;
   Frames& operator=(const Frames&) = delete;
 
-  /// Takes the place of an earlier wish that was not begun.
+  /// Replaces an earlier wish that has not begun.
   void wish(Wish wish);
-  /// What follows is done between two wishes, in order.
+  /// Saves and loads run between two wishes, in order.
   void save(Save save);
   void load(std::string path);
   /// The next answer, if there is one.

@@ -20,22 +20,22 @@ struct PanelFrame {
   Widgets& widgets;
 };
 
-void drawActions(PanelFrame& frame);  ///< what is done at once, and saved
-void drawCell(PanelFrame& frame);     ///< what is under the pointer
-void drawShow(PanelFrame& frame);     ///< which marks a picture has
-void drawColor(PanelFrame& frame);    ///< what colors stand for
-/// `energies` are those of the steps so far, over the hexagonal lattice's.
+void drawActions(PanelFrame& frame);  ///< buttons for actions and saving
+void drawCell(PanelFrame& frame);     ///< the cell under the pointer
+void drawShow(PanelFrame& frame);     ///< the marks of the picture
+void drawColor(PanelFrame& frame);    ///< the coloring
+/// `energies` are those of the steps so far, relative to the hexagonal lattice's.
 void drawRelax(PanelFrame& frame, const std::vector<float>& energies);
-void drawFluid(PanelFrame& frame);   ///< the fluid, or how to begin one
-void drawDevice(PanelFrame& frame);  ///< what computes
-void drawTimes(PanelFrame& frame);   ///< what frames take
+void drawFluid(PanelFrame& frame);   ///< the fluid, or buttons that begin one
+void drawDevice(PanelFrame& frame);  ///< the backend and device
+void drawTimes(PanelFrame& frame);   ///< the times of frames
 
-/// What of the window's width the panel leaves free beside it, on the side where that is more.
+/// Returns the horizontal range of the window that the panel leaves free, on its wider side.
 std::pair<float, float> freeOf(const PanelFrame& frame);
 
-/// The cell under the pointer, beside it.
+/// The tooltip beside the pointer: the cell under it.
 void drawTip(PanelFrame& frame);
-/// The keys, in the middle of the window.
+/// The list of keys, in the middle of the window.
 void drawHelp(PanelFrame& frame);
 /// The line between the pictures of two backends.
 void drawWipe(const PanelFrame& frame);

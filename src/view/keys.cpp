@@ -18,7 +18,7 @@ void toggleOwn(Settings& settings) {
   settings.*Flag = !(settings.*Flag);
 }
 
-/// Where colors stand for something else, values and scales of before mean nothing.
+/// If the colors get another meaning, the previous range and scale no longer apply.
 template <ColorBy By>
 void colorBy(Settings& settings) {
   settings.flow_color = FlowColor::none;
@@ -96,7 +96,7 @@ const KeyBinding* bindingOf(const Key& key) {
     return found == keyBindings().end() ? nullptr : &*found;
   };
   if (const KeyBinding* const exact = find(key.with)) return exact;
-  // A question mark takes shift on many keyboards.
+  // A question mark needs Shift on many keyboards.
   Modifiers without = key.with;
   without.shift = false;
   return key.with.shift && !key.with.control ? find(without) : nullptr;

@@ -1,4 +1,4 @@
-/// What keys do, in one table: what the window looks up, its help shows, and the documents list.
+/// The table of key bindings, for the window, its help and the documents.
 #pragma once
 
 #include <string>
@@ -14,23 +14,23 @@ namespace vorpipe::view {
 struct KeyBinding {
   std::string key;  ///< as Key::name
   Modifiers with{};
-  std::string what;  ///< what it does, as "shows all of the domain"
+  std::string what;  ///< what it does, e.g. "shows all of the domain"
   std::variant<Action, void (*)(Settings&)> does;
 };
 
 const std::vector<KeyBinding>& keyBindings();
 
-/// What a key does; nullptr: nothing. Shift is not looked at where the table has no key with it.
+/// Returns the binding of a key; nullptr: none. Ignores Shift if the table has no such key with Shift.
 const KeyBinding* bindingOf(const Key& key);
 
-/// "Ctrl+Shift+Z", as help names it.
+/// Returns the label in the help, e.g. "Ctrl+Shift+Z".
 std::string labelOf(const KeyBinding& binding);
 
 struct HelpLine {
   std::string keys, what;
 };
 
-/// What the pointer and keys do, a line each; keys that do one and the same share theirs.
+/// Returns a line for each action of pointer and keys; keys with the same action share a line.
 std::vector<HelpLine> helpLines();
 
 }  // namespace vorpipe::view

@@ -1,4 +1,4 @@
-/// Sites as they were opened, with the domain that they have cells in.
+/// Sites as they were opened, with their domain.
 #pragma once
 
 #include <string>
@@ -14,11 +14,10 @@ struct Opened {
   Box domain{0, 0, 1, 1};
   Outline outline{};
   Periodic periodic = Periodic::none;
-  /// The options of a command line that name these sites and their domain; none where they came out of
-  /// nothing.
+  /// The command-line options that name these sites and their domain; empty if nothing names them.
   std::vector<std::string> arguments{};
-  FixedFluid fluid{};        ///< as it begins, of which these are the sites; null: they are no fluid's
-  std::string fluid_name{};  ///< a case, or a file
+  FixedFluid fluid{};        ///< the initial state of the fluid that has these sites; null: no fluid
+  std::string fluid_name{};  ///< name of a case or file
 };
 
 /// A fluid in its domain.

@@ -49,7 +49,7 @@ void drawHelp(PanelFrame& frame) {
     meanings = std::max(meanings, ImGui::CalcTextSize(meaning.c_str()).x);
   }
   const float second = padding.x + keys + 2 * cap + widgets.px(14), right = second + meanings;
-  // Beside the panel, or over it where there is no room.
+  // Beside the panel, or over it if there is no room.
   const auto [from, to] = freeOf(frame);
   const bool beside = right + padding.x + ImGui::GetStyle().ScrollbarSize <= to - from;
   ImGui::SetNextWindowPos({std::round(beside ? (from + to) / 2 : window.x / 2), std::round(window.y / 2)},
@@ -66,7 +66,7 @@ void drawHelp(PanelFrame& frame) {
   if (widgets.button("Close help", "\u00d7", side)) frame.answer.settings.help = false;
   ImGui::Separator();
   ImGui::Dummy({0, 1});
-  // Lines move together before they have to be scrolled.
+  // Lines are spaced more tightly before they need scrolling.
   const float room = window.y - widgets.px(20) - padding.y - ImGui::GetCursorPosY();
   const float between =
       room / static_cast<float>(std::max<std::size_t>(1, input.keys.size())) - ImGui::GetTextLineHeight();

@@ -13,7 +13,7 @@
 namespace vorpipe::view {
 namespace {
 
-/// In how many pixels two pictures of the same size differ.
+/// Returns in how many pixels two pictures of the same size differ.
 std::uint64_t countDifferent(const Image& a, const Image& b) {
   std::uint64_t count = 0;
   for (std::size_t i = 0; i < a.rgba.size(); ++i) {
@@ -30,7 +30,7 @@ bool isColoredByFlow(const Frame& frame) {
   return frame.fluid && frame.flow_color != FlowColor::none && frame.picture.fill;
 }
 
-/// What a picture of a fluid has besides those of other sites.
+/// Adds to a picture what only pictures of fluids have.
 Result<void> finish(const Frame& frame, int threads, Image& image) {
   if (isColoredByFlow(frame)) {
     const auto colored = colorFlow(frame.fluid->setup.state, frame.flow_color, frame.picture, image);
@@ -63,8 +63,8 @@ Result<void> Painter::open(const Wish& wish, Answer& answer) {
   return {};
 }
 
-/// Whether the sites are where the relaxation has moved them; or where it was before, of a wish that was made
-/// in the same gesture before its last step was known.
+/// Whether the wish's sites are those of the relaxation's last step. Or of the step before, if the wish was
+/// issued in the same gesture before the last step was known.
 bool Painter::isAt(const Wish& wish) const {
   if (!relaxation_ || method_ != wish.method || density_ != wish.density) return false;
   return wish.sites == relaxed_ || (wish.sites == relaxed_before_ && wish.gesture == relaxed_gesture_);
@@ -95,7 +95,7 @@ Result<void> Painter::step(const Wish& wish, Frame& frame) {
   if (!isAt(wish)) {
     VORPIPE_TRY(begin(wish));
   }
-  // Diagrams that are taken back move nothing.
+  // Rejected diagrams move no sites.
   const auto& trace = relaxation_->trace();
   Result<bool> more = relaxation_->step();
   while (more && *more && !trace.back().taken) more = relaxation_->step();
@@ -103,7 +103,7 @@ Result<void> Painter::step(const Wish& wish, Frame& frame) {
     more = tl::unexpected(Error{ErrorCode::cancelled, "cancelled"});
   }
   if (!more) {
-    // It continues from `relaxed_` as a new one.
+    // A new relaxation will continue from `relaxed_`.
     relaxation_.reset();
     return tl::unexpected(more.error());
   }
@@ -184,7 +184,7 @@ std::shared_ptr<const Measures> Painter::measure(const Outdated& outdated) {
   const Diagram& diagram = **cells;
   auto measures = std::make_shared<Measures>();
   measures->sites = measured_;
-  // Of a cell with a free surface the diagram has what lies in air, too.
+  // With a free surface, the diagram's cells include the air.
   measures->area = hasFreeSurface(drawn_fluid_) ? drawn_fluid_->setup.state.volume : diagram.area;
   measures->neighbors.resize(diagram.size());
   for (std::size_t i = 0; i < diagram.size(); ++i) {

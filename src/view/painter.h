@@ -12,20 +12,20 @@
 
 namespace vorpipe::view {
 
-/// Whether what is being done is not wanted any more.
+/// Whether the work in progress is no longer wanted.
 using Outdated = std::function<bool()>;
 
 class Painter {
  public:
-  /// A picture, or an error; of what is outdated, an error that is cancelled. Where the wish names another
-  /// backend, that is opened first; if it does not work here, the one before stays.
+  /// Returns a picture or an error; the error is cancelled if the wish became outdated. If the wish names
+  /// another backend, opens that first; if it does not work here, the present one stays.
   Answer paint(const Wish& wish, const Outdated& outdated);
 
-  /// What is told of cells, of the sites that were painted last; none where there are no sites, it is known
-  /// already, or it was outdated. An error is not told: painting tells it.
+  /// Returns the measures of the cells of the sites painted last. Null if there are no sites, if they were
+  /// measured already, or if outdated. Ignores errors: paint() reports them.
   std::shared_ptr<const Measures> measure(const Outdated& outdated);
 
-  /// Writes a picture by the extension of its path.
+  /// Writes a picture in the format of the path's extension.
   Result<void> save(const Save& save);
 
  private:
@@ -37,15 +37,15 @@ class Painter {
   [[nodiscard]] Progress progress() const;
 
   Outdated outdated_{};
-  Renderer main_;            ///< outlives what follows
-  Renderer compared_;        ///< the other one, while two are compared
+  Renderer main_;            ///< outlives the members below
+  Renderer compared_;        ///< the other backend, while two are compared
   RenderOptions painted_{};  ///< the last picture
   FixedSites measured_{};
   FixedFluid drawn_fluid_{};
   FluidRun fluid_{};
   std::optional<Relaxation> relaxation_;
-  FixedSites relaxed_{};         ///< where it has moved the sites
-  FixedSites relaxed_before_{};  ///< a step earlier
+  FixedSites relaxed_{};         ///< sites after its last step
+  FixedSites relaxed_before_{};  ///< sites one step earlier
   std::uint64_t relaxed_gesture_ = 0;
   RelaxMethod method_ = RelaxMethod::lloyd;
   std::shared_ptr<const Density> density_{};

@@ -48,7 +48,7 @@ struct Panel::State {
   Holder holder = Holder::none;
   int pressed = 0;  ///< buttons
   bool list_open = false, help_open = false, types = false;
-  bool escapes = false;         ///< from what is open
+  bool escapes = false;         ///< Escape was taken to close what is open
   std::vector<float> energies;  ///< of the relaxation's steps
   std::uint64_t diagram = 0;
 
@@ -102,7 +102,7 @@ void Panel::State::follow(const PanelInput& input) {
   if (!energies.empty() && step.diagram == diagram) return;
   if (step.diagram < diagram) energies.clear();
   diagram = step.diagram;
-  // More than there are pixels for: every other one tells as much.
+  // More values than pixels: keep every other one.
   if (energies.size() >= 1000) {
     std::size_t kept = 0;
     for (std::size_t i = 0; i < energies.size(); i += 2) energies[kept++] = energies[i];
@@ -136,14 +136,14 @@ void Panel::State::drawWindow(PanelFrame& frame) {
   const float margin = widgets.px(10);
   const float width = std::min(widgets.px(284), std::max(1.0F, window.x));
   place.apply(window, width, margin);
-  // Where the panel would hide the legend it ends above it, if that leaves it some room.
+  // If the panel would hide the legend, it ends above it, provided that leaves some room.
   float height = window.y - 2 * margin;
   if (const auto& legend = frame.input.legend; legend && place.left() < legend->left + legend->width) {
     const float above = static_cast<float>(legend->top) - margin - place.top();
     if (above >= window.y / 4) height = std::min(height, above);
   }
   ImGui::SetNextWindowSizeConstraints({width, 0}, {width, std::max(1.0F, height)});
-  // Its scroll bar lies beside what it scrolls, where there is always room for it.
+  // The scroll bar lies beside the contents, in space that is always reserved for it.
   ImGui::Begin("##panel", nullptr,
                ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoSavedSettings |
                    ImGuiWindowFlags_NoNav | ImGuiWindowFlags_AlwaysAutoResize);
@@ -193,7 +193,7 @@ void Panel::State::drawFrame(const PanelInput& input, PanelAnswer& answer) {
 Panel::Panel() : state_(std::make_unique<State>()) {
   ImGui::SetCurrentContext(state_->context);
   ImGuiIO& io = ImGui::GetIO();
-  // Nothing is kept in files, nothing depends on when something happens.
+  // Nothing is stored in files, and nothing depends on time.
   io.IniFilename = nullptr;
   io.LogFilename = nullptr;
   io.ConfigInputTextCursorBlink = false;
@@ -243,7 +243,8 @@ PanelAnswer Panel::draw(const PanelInput& input, PanelTriangles& triangles) {
   }
   state.follow(input);
   while (state.feed.next()) state.drawFrame(input, answer);
-  // What opens is measured in one frame and seen in the next; the panel's height follows its contents alike.
+  // ImGui measures what opens in one frame and shows it in the next; likewise the panel's height follows its
+  // contents.
   for (int i = 0; i < 2; ++i) state.drawFrame(input, answer);
   answer.takes_pointer = state.holder == Holder::panel ||
                          (state.holder == Holder::none && (state.list_open || state.covers(state.pointer)));

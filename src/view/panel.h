@@ -1,4 +1,4 @@
-/// The panel of the window: what it says, and what it changes.
+/// The window's panel: what it shows, and what it changes.
 #pragma once
 
 #include <cstdint>
@@ -27,20 +27,20 @@ struct Hovered {
   std::uint64_t neighbors = 0;
 };
 
-/// What frames took lately, in milliseconds.
+/// Recent times of frames, in milliseconds.
 struct FrameTimes {
   double frame = 0;  ///< from a change to its sharp picture
   double order = 0, cells = 0, draw = 0, download = 0, present = 0;
   std::vector<float> history{};  ///< of `frame`, the latest last
 };
 
-/// What two backends draw, where they are compared.
+/// The difference between the pictures of two compared backends.
 struct Compared {
   std::uint64_t differing = 0, pixels = 0;
-  std::string by{};  ///< "cpu on 2 threads": the other one
+  std::string by{};  ///< the other backend, e.g. "cpu on 2 threads"
 };
 
-/// What stirs a fluid, in the window.
+/// The brush that stirs a fluid, in the window.
 struct BrushShown {
   Place middle{};
   double radius = 0;  ///< in pixels
@@ -51,7 +51,7 @@ struct FluidShown {
   std::string name;  ///< a case, or a file
   FluidOptions options{};
   FluidStep last{};
-  double steps_per_second = 0;  ///< 0: it rests
+  double steps_per_second = 0;  ///< 0: paused
   std::optional<BrushShown> brush{};
 };
 
@@ -60,36 +60,36 @@ struct PanelInput {
   std::optional<Hovered> hovered{};
   FrameTimes times{};
   std::vector<DeviceInfo> devices{};
-  std::string presenter{}, message{};  ///< what presents; what was saved or went wrong last, or empty
+  std::string presenter{}, message{};  ///< presenter's name; last save or error, or empty
   std::uint64_t sites = 0;
   std::optional<RelaxStep> relaxed{};  ///< the last step
-  std::optional<FluidShown> fluid{};   ///< none: sites are no fluid's
+  std::optional<FluidShown> fluid{};   ///< none: no fluid
   std::optional<Compared> compared{};
-  std::optional<Placement> legend{};  ///< of the picture, which the panel is not to hide
+  std::optional<Placement> legend{};  ///< of the picture; the panel must not hide it
   bool can_undo = false, can_redo = false;
   int width = 0, height = 0;  ///< of the window
-  double scale = 1;           ///< of letters and all else: 2 where pixels are half as large as usual
-  std::string computed_by{};  ///< "vulkan-compute on llvmpipe": what drew the last picture, or empty
-  /// Each key with what it does: what the help lists.
+  double scale = 1;           ///< of the user interface: 2 if pixels are half the usual size
+  std::string computed_by{};  ///< what drew the last picture, e.g. "vulkan-compute on llvmpipe"; or empty
+  /// Keys and what they do, as the help lists them.
   std::vector<std::pair<std::string, std::string>> keys{};
 };
 
 struct PanelAnswer {
   Settings settings;                               ///< as the panel has changed them
-  std::vector<Action> actions;                     ///< after the settings have changed
-  std::optional<FluidCase> begins{};               ///< is to take the place of all sites
-  std::optional<FluidOptions> flows_by{};          ///< are the fluid's from now on
-  bool takes_pointer = false, takes_keys = false;  ///< the window is not to have them
-  /// How many pixels of the window the panel covers, from the left and from the right, up to what it leaves
-  /// free on its wider side; none while a button is held, which may move it.
+  std::vector<Action> actions;                     ///< to perform after the change of settings
+  std::optional<FluidCase> begins{};               ///< a fluid that replaces all sites
+  std::optional<FluidOptions> flows_by{};          ///< new options of the fluid
+  bool takes_pointer = false, takes_keys = false;  ///< the window must ignore them
+  /// How many pixels at the window's left and right edges the panel takes; its wider side stays free. None
+  /// while a button is held: the panel may be moving.
   std::optional<std::pair<double, double>> covers{};
-  bool new_texture = false;  ///< another scale: the presenter needs texture() before this frame is shown
+  bool new_texture = false;  ///< the scale changed: the presenter needs texture() before it shows this frame
 };
 
-/// Where something stands in the window, by name: "Edges", "Color/area", "Run".
+/// Positions of widgets in the window, by name: "Edges", "Color/area", "Run".
 using PanelPlaces = std::map<std::string, Placement, std::less<>>;
 
-/// Dear ImGui, without its windows and its graphics. Of one thread.
+/// The panel, drawn by Dear ImGui without ImGui's own platform and graphics backends. For one thread only.
 class Panel {
  public:
   Panel();
@@ -98,13 +98,13 @@ class Panel {
   ~Panel();
 
   [[nodiscard]] const PanelTexture& texture() const;
-  /// Whether it keeps the event to itself, as the panel stands since the last frame: the pointer is over it,
-  /// drags what began there, or closes a list; a key is typed into a field. All others are the window's.
+  /// Whether the panel, as drawn last, consumes the event: the pointer is over it, drags from it, or closes a
+  /// list; or a key goes into a field. All other events belong to the window.
   bool take(const Event& event);
-  /// The next frame, of all that was taken. `triangles` is replaced, and empty where nothing is to be seen.
-  /// The same again is drawn in the same way: no time passes.
+  /// Draws the next frame from all events taken. Replaces `triangles`, which are empty if nothing is visible.
+  /// Equal input gives an equal frame: no time passes.
   PanelAnswer draw(const PanelInput& input, PanelTriangles& triangles);
-  /// What stood where in the last frame; what is scrolled out of sight may be beyond the window.
+  /// Positions of widgets in the last frame; those scrolled out of sight may lie outside of the window.
   [[nodiscard]] const PanelPlaces& places() const;
 
  private:

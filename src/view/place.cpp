@@ -9,7 +9,7 @@ void PanelPlace::apply(ImVec2 window, float width, float margin) {
   window_ = window;
   width_ = width;
   margin_ = margin;
-  // Dear ImGui moves it while a button is held.
+  // While a button is held, Dear ImGui moves the panel.
   if (began_ && ImGui::IsMouseDown(ImGuiMouseButton_Left)) return;
   const float farthest = std::max(margin, window.x - width - margin);
   if (!began_) at_ = {margin, margin};

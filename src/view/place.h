@@ -1,21 +1,22 @@
-/// Where the panel stands, and how it is moved.
+/// The position of the panel, and how it is moved.
 #pragma once
 
 #include <imgui.h>
 
 namespace vorpipe::view {
 
-/// The panel is moved by what is free of its surface. Let go near the left or the right edge of the window it
-/// stays at that edge, whatever size the window has.
+/// Dragging a free part of its surface moves the panel. Released near the window's left or right edge, it
+/// stays at that edge when the window is resized.
 class PanelPlace {
  public:
-  /// Before the panel's window begins: `width` is its own, `margin` what it keeps from the window's edges.
+  /// Call before the panel's ImGui window begins: `width` is the panel's, `margin` its distance from the
+  /// window's edges.
   void apply(ImVec2 window, float width, float margin);
-  /// After it began.
+  /// Call after it began.
   void follow();
   [[nodiscard]] float left() const { return at_.x; }
   [[nodiscard]] float top() const { return at_.y; }
-  /// To the other edge.
+  /// Moves the panel to the other edge.
   void swap() { side_ = side_ == Side::right ? Side::left : Side::right; }
 
  private:

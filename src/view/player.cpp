@@ -15,7 +15,7 @@ namespace vorpipe::view {
 
 Player::Player(Script script, Screen& screen, Viewer& viewer, Stage& stage, Recorder* recorder)
     : script_(std::move(script)), screen_(screen), viewer_(viewer), stage_(stage), recorder_(recorder) {
-  // It begins with a picture.
+  // Playing begins with a picture.
   waitForPicture();
   records_ = recorder_ != nullptr;
 }
@@ -59,14 +59,14 @@ Result<void> Player::goOn() {
   return play(script_.lines[next_++].event);
 }
 
-/// A frame of what is shown; and of a time, as many as it lasts.
+/// Records a frame of what is shown; for a timed wait, as many frames as it lasts.
 Result<void> Player::record() {
   records_ = false;
   auto image = stage_.read(/*with_panel=*/true);
   if (!image) return tl::unexpected(std::move(image.error()));
   VORPIPE_TRY(recorder_->add(*image));
   if (frames_left_ > 0 && --frames_left_ > 0) {
-    // Sites that relax take a step for each frame.
+    // Relaxing sites take a step for each frame.
     waitForPicture();
     records_ = true;
   }

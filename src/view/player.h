@@ -1,4 +1,4 @@
-/// Plays a script: hands its events to the viewer, one at a time, and waits where it says so.
+/// Plays a script: passes its events to the viewer, one at a time, and waits where the script says so.
 #pragma once
 
 #include <chrono>
@@ -16,27 +16,28 @@
 
 namespace vorpipe::view {
 
-/// The longest that a script waits for a picture, or for the desktop, in seconds.
+/// The longest wait of a script for a picture or for the desktop, in seconds.
 inline constexpr double longest_wait = 60;
 
 class Player {
  public:
-  /// `recorder` may be null; else it gets a frame after each event, and as many for a time as it lasts.
+  /// `recorder` may be null; else it gets a frame after each event, and for a timed wait as many frames as
+  /// its duration.
   Player(Script script, Screen& screen, Viewer& viewer, Stage& stage, Recorder* recorder);
 
-  /// Goes on after a frame was drawn; what it changed is to be drawn before the next call. Errors: it waited
-  /// too long (device); those of writing what it asks for.
+  /// Continues after a frame was drawn; draw its changes before the next call. Errors: it waited too long
+  /// (device); those of writing the requested files.
   Result<void> goOn();
 
   [[nodiscard]] bool waits() const { return static_cast<bool>(waits_); }
-  /// Whether all of it was played.
+  /// Whether the whole script was played.
   [[nodiscard]] bool isOver() const { return !waits_ && next_ == script_.lines.size(); }
-  /// Seconds until it continues, where it waits for a time.
+  /// Seconds until a timed wait ends.
   [[nodiscard]] double secondsLeft() const;
 
  private:
   using Clock = std::chrono::steady_clock;
-  /// What is waited for: whether it is there.
+  /// Whether a wait is over.
   using Condition = std::function<bool()>;
 
   Result<void> play(const Event& event);
@@ -53,11 +54,11 @@ class Player {
   Recorder* recorder_;
   std::size_t next_ = 0;
   Condition waits_{};
-  std::string waits_what_{};  ///< as errors call it
+  std::string waits_what_{};  ///< its name in errors
   Clock::time_point limit_{}, until_{};
   bool has_time_ = false;          ///< it waits for `until_`
-  std::uint64_t frames_left_ = 0;  ///< to record, of a time
-  bool records_ = false;           ///< a frame, when the wait is over
+  std::uint64_t frames_left_ = 0;  ///< to record of a timed wait
+  bool records_ = false;           ///< whether to record a frame when the wait is over
 };
 
 }  // namespace vorpipe::view

@@ -6,17 +6,17 @@
 namespace vorpipe::view {
 namespace {
 
-/// Pixels from a site within which the pointer has it.
+/// Distance in pixels within which the pointer grabs a site.
 constexpr double reach = 6;
-/// Pixels that a click may travel.
+/// Pixels that the pointer may move during a click.
 constexpr double click_travel = 3;
-/// How much a step of the wheel enlarges.
+/// Magnification by one step of the wheel.
 constexpr double zoom_step = 1.2;
-/// What a step of the wheel adds to a weight, in mean cells: the edges to like cells move by a twentieth of
+/// What a step of the wheel adds to a weight, in mean cell areas: edges to equal cells move by a twentieth of
 /// the spacing.
 constexpr double weight_step = 0.1;
 
-/// `difference` modulo `period`, the least; where there is no period, as it is.
+/// Returns the smallest value of `difference` modulo `period`; unchanged if there is no period.
 double leastImage(double difference, double period) {
   return period > 0 ? std::remainder(difference, period) : difference;
 }

@@ -1,4 +1,4 @@
-/// What the pointer does in the window: it pans and zooms, adds, drags and removes sites, changes weights,
+/// Effects of the pointer in the window: it pans and zooms, adds, drags and removes sites, changes weights,
 /// stirs fluids.
 #pragma once
 
@@ -12,17 +12,17 @@
 
 namespace vorpipe::view {
 
-/// What has changed by an event.
+/// What an event has changed.
 enum class Changed : std::uint8_t {
   nothing,
-  view,     ///< what of the plane is shown
-  drag,     ///< a site, and it may go on
+  view,     ///< the part of the plane that is shown
+  drag,     ///< a site, by a drag that may continue
   sites,    ///< sites, once
   stroke,   ///< the pointer was dragged through a fluid: see Pointer::stroke()
-  refused,  ///< nothing, since sites of a fluid are not edited
+  refused,  ///< nothing: the sites of a fluid cannot be edited
 };
 
-/// The site nearest to a place, if it is some pixels away at most, times `scale`; else no_site.
+/// Returns the site nearest to a place if it lies within a few pixels, times `scale`; else no_site.
 std::uint32_t siteNear(const Document& document, const Camera& camera, Place place, double scale = 1);
 
 class Pointer {
@@ -30,14 +30,14 @@ class Pointer {
   /// `owner` is the site of the cell under the pointer, or no_site.
   Changed take(const Event& event, Document& document, Camera& camera, std::uint32_t owner);
 
-  /// As many times as far does it reach: where pixels are small.
+  /// Multiplies the pointer's reach in pixels, for screens with small pixels.
   void setScale(double scale) { scale_ = scale; }
-  /// Where it was last; none before it came.
+  /// Its last place; none before its first event.
   [[nodiscard]] const std::optional<Place>& place() const { return place_; }
   [[nodiscard]] bool holdsSite() const { return held_ == Held::site && travelled_; }
-  /// From where to where in the plane it was dragged last.
+  /// Start and end of its last drag, in the plane.
   [[nodiscard]] std::pair<Point, Point> stroke() const { return stroke_; }
-  /// Lets go of what it holds: sites have changed by something else.
+  /// Ends a drag: something else has changed the sites.
   void release() { held_ = Held::nothing; }
 
  private:
@@ -52,10 +52,10 @@ class Pointer {
   double scale_ = 1;
   Held held_ = Held::nothing;
   Button button_ = Button::left;
-  Place pressed_{};         ///< where
-  bool travelled_ = false;  ///< so far since it was pressed that it is no click
+  Place pressed_{};         ///< where the button went down
+  bool travelled_ = false;  ///< too far since the press to be a click
   std::uint32_t site_ = no_site;
-  Place grip_{};  ///< of the site, from the pointer
+  Place grip_{};  ///< offset of the site from the pointer
   std::pair<Point, Point> stroke_{};
 };
 

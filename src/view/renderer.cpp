@@ -10,7 +10,7 @@ bool isSame(const BackendOptions& a, const BackendOptions& b) {
          a.mask.disabled == b.mask.disabled && a.mask.limits == b.mask.limits;
 }
 
-/// A picture of a domain without sites: it is white.
+/// Returns the picture of a domain without sites, which is white.
 Rendering empty(const RenderOptions& options) {
   constexpr std::uint32_t white = 0xFFFFFFFF;
   Rendering rendering{};
@@ -54,7 +54,7 @@ Result<bool> Renderer::open(const BackendOptions& backend, const std::string& no
 }
 
 void Renderer::close() {
-  // Before the session that they are kept with.
+  // The sites go before the session that keeps them.
   kept_.reset();
   kept_of_.reset();
   session_.reset();

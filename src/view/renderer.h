@@ -1,4 +1,4 @@
-/// A backend with the sites that it draws again and again.
+/// A backend with the sites that it draws repeatedly.
 #pragma once
 
 #include <functional>
@@ -13,28 +13,29 @@ namespace vorpipe::view {
 
 class Renderer {
  public:
-  /// Whether another backend was opened, in place of the one before, after `end` has ended what uses that:
-  /// the one that is open already stays, as it does where the other does not work here. `not_cpu` names a
-  /// backend that is taken where `backend` comes to `cpu`, if it works; empty: none.
+  /// Opens a backend in place of the present one; calls `end` before, to release what uses the present one.
+  /// Returns false if this backend is open already. If the new one does not work here, returns its error and
+  /// the present one stays. `not_cpu` names a backend to prefer, if it works, where `backend` resolves to
+  /// `cpu`; empty: none.
   Result<bool> open(const BackendOptions& backend, const std::string& not_cpu = {},
                     const std::function<void()>& end = {});
 
   void close();
 
-  /// After open(). A domain without sites is white.
+  /// Call after open(). A domain without sites is white.
   Result<Rendering> render(const FixedSites& sites, const RenderOptions& options);
 
   [[nodiscard]] Session& session() { return *session_; }
   [[nodiscard]] int threads() const { return backend_.threads; }
   [[nodiscard]] bool isOpen() const { return session_ != nullptr; }
-  /// Those that were drawn last; null before there were any.
+  /// The sites drawn last; null before any were drawn.
   [[nodiscard]] KeptSites* kept() { return kept_ ? &*kept_ : nullptr; }
   [[nodiscard]] const FixedSites& keptOf() const { return kept_of_; }
 
  private:
   BackendOptions backend_{};
-  std::string not_cpu_{};             ///< that was tried
-  std::unique_ptr<Session> session_;  ///< outlives what follows
+  std::string not_cpu_{};             ///< as tried last
+  std::unique_ptr<Session> session_;  ///< outlives the members below
   std::optional<KeptSites> kept_;
   FixedSites kept_of_{};
 };

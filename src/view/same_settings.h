@@ -1,12 +1,12 @@
-/// Whether settings make the same picture.
+/// Tests whether settings give the same picture.
 #pragma once
 
 #include "view/settings.h"
 
 namespace vorpipe::view {
 
-/// Of the same sites and view, by the same backend. The panel, motion and what relaxing takes are not
-/// compared.
+/// Whether both draw the same picture of the same sites and view, by the same backend. Ignores the panel,
+/// motion and the settings of relaxation.
 bool drawTheSame(const Settings& a, const Settings& b);
 
 }  // namespace vorpipe::view

@@ -25,7 +25,7 @@ Result<void> Painter::save(const Save& save) {
   if (lowerExtension(save.path) == ".npz") return saveFluid(save.path, *save.fluid);
   const auto format = pictureFormatOf(save.path);
   if (!format) return tl::unexpected(format.error());
-  // In shapes colors by weight are those of any values.
+  // In shapes, coloring by weight works for any values.
   const bool by_flow = save.fluid && save.flow_color != FlowColor::none && save.picture.fill;
   const Sites values = by_flow ? valuesOf(save.fluid->setup.state, save.flow_color) : Sites{};
   RenderOptions picture = save.picture;

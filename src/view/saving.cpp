@@ -10,7 +10,7 @@
 namespace vorpipe::view {
 namespace {
 
-/// A name in the current folder that no file has: vorpipe.png, vorpipe-2.png and so on.
+/// Returns an unused file name in the current folder: vorpipe.png, vorpipe-2.png and so on.
 std::string freeName(std::string_view stem, std::string_view extension) {
   std::string name = fmt::format("{}{}", stem, extension);
   std::error_code ignored;
@@ -24,12 +24,12 @@ std::string freeName(std::string_view stem, std::string_view extension) {
 
 void Viewer::save(const char* extension) { to_save_.emplace_back(extension); }
 
-/// Pictures of what is shown: once they are sharp.
+/// Saves requested pictures once the shown one is sharp.
 void Viewer::saveWhatIsSettled() {
   const bool sharp = frame_ && frame_->sites == document_.sites() && wanted_ == Wanted::nothing &&
                      (answered_ == wished_ || settings_.motion == Motion::runs);
   if (!sharp || files_ > 0) return;
-  // One after the other, so that each finds its name.
+  // One at a time, so that each finds a free name.
   if (to_save_.empty()) return;
   const std::string extension = std::move(to_save_.front());
   to_save_.erase(to_save_.begin());
@@ -39,7 +39,7 @@ void Viewer::saveWhatIsSettled() {
                 extension == ".npz" ? document_.fluid() : frame_->fluid, frame_->flow_color});
 }
 
-/// The backend as the command line has it, where `auto` comes to another one.
+/// Returns the backend for the command line, where `auto` may resolve to a different one.
 BackendOptions Viewer::drawnBy() const {
   BackendOptions backend = settings_.backend;
   const bool otherwise = device_ && device_->type == "cpu" && device_->backend != "cpu";
@@ -47,7 +47,7 @@ BackendOptions Viewer::drawnBy() const {
   return backend;
 }
 
-/// Where sites are not those of a file, they are written first.
+/// Copies the command line; sites that are not in a file are written first.
 void Viewer::copyCommand() {
   if (document_.fluid()) return copyFluidCommand();
   const bool is_file = document_.isAsOpened() && !document_.opened().arguments.empty();
@@ -73,7 +73,7 @@ void Viewer::copyCommand() {
   frames_.save({command_sites_, document_.sites(), picture(), {}});
 }
 
-/// Continues a fluid from a checkpoint.
+/// Copies a command line that continues a fluid from a checkpoint.
 void Viewer::copyFluidCommand() {
   const bool is_written = !command_sites_.empty() && command_revision_ == document_.revision();
   if (!is_written) command_sites_ = freeName("vorpipe-fluid", ".npz");

@@ -1,4 +1,4 @@
-/// The window, as far as the viewer needs it, so that tests can do without one.
+/// Interface of the window as the viewer needs it, so that tests can run without a window.
 #pragma once
 
 #include <string>
@@ -9,7 +9,7 @@
 
 namespace vorpipe::view {
 
-/// As Window.
+/// See Window for the functions.
 class Screen {
  public:
   virtual ~Screen() = default;

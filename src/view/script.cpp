@@ -25,7 +25,7 @@ tl::unexpected<WordProblem> wrong(std::size_t column, std::string what) {
   return tl::unexpected(WordProblem{column, std::move(what)});
 }
 
-/// The words after the first, taken one by one.
+/// Reads the words after the first, one by one.
 class Rest {
  public:
   explicit Rest(std::span<const Word> words) : words_(words) {}
@@ -33,10 +33,10 @@ class Rest {
   [[nodiscard]] bool empty() const { return next_ == words_.size(); }
   [[nodiscard]] const Word& front() const { return words_[next_]; }
   void drop() { ++next_; }
-  /// Where a word would stand that is missing.
+  /// Returns the column of a missing word: the end of the line.
   [[nodiscard]] std::size_t end() const { return words_.back().column + words_.back().text.size(); }
 
-  /// The next word, which is `what`, as in "X".
+  /// Returns the next word; `what` names it in errors, e.g. "X".
   Read<Word> word(std::string_view what) {
     if (empty()) return wrong(end(), fmt::format("{} is missing after {}", what, words_[0].text));
     return words_[next_++];
@@ -60,7 +60,7 @@ class Rest {
                  fmt::format("{}: {} is not a whole number from 1 to {}", what, *value, largest_side));
   }
 
-  /// Any of shift, control and alt.
+  /// Reads any of shift, control and alt.
   Modifiers modifiers() {
     Modifiers held;
     for (; !empty(); ++next_) {
@@ -202,7 +202,7 @@ Read<Event> eventOf(std::span<const Word> words) {
   return event;
 }
 
-/// What `text ` is followed by, as it stands.
+/// The text after `text ` is taken verbatim.
 constexpr std::string_view text_verb = "text ";
 
 }  // namespace

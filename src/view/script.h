@@ -1,4 +1,4 @@
-/// Scripts: what people write to drive a window, one event to a line.
+/// Scripts that drive a window, one event per line.
 #pragma once
 
 #include <cstddef>
@@ -21,17 +21,17 @@ struct Script {
   std::vector<ScriptLine> lines;
 };
 
-/// The names that Key::name has.
+/// The possible values of Key::name.
 const std::vector<std::string>& keyNames();
 
-/// Reads a script; "-" is standard input. Errors: a word that is wrong, with file, line and column (input);
-/// reading failed (device).
+/// Reads a script; "-" is standard input. Errors: a wrong word, with file, line and column (input); reading
+/// failed (device).
 Result<Script> readScript(const std::string& path);
 
-/// The same of a text.
+/// The same for a text.
 Result<Script> parseScript(const std::string& name, std::string_view text);
 
-/// The line that stands for an event in a script.
+/// Returns the script line for an event.
 std::string scriptLine(const Event& event);
 
 }  // namespace vorpipe::view

@@ -1,4 +1,4 @@
-/// What a window shows of its sites, apart from where: what keys, the panel and the command line change.
+/// Settings of a window, except its view: those that keys, the panel and the command line change.
 #pragma once
 
 #include <cstdint>
@@ -16,10 +16,10 @@ namespace vorpipe::view {
 /// Whether sites move by themselves.
 enum class Motion : std::uint8_t { rests, steps_once, runs };
 
-/// What stirs a fluid.
+/// The brush that stirs a fluid.
 struct Brush {
-  double radius = 0.1;  ///< as a part of the shorter side of the domain
-  double push = 1;      ///< how much a stroke adds, in speeds that are usual in the fluid
+  double radius = 0.1;  ///< as a fraction of the domain's shorter side
+  double push = 1;      ///< what a stroke adds, in units of the fluid's usual speed
 };
 
 struct Settings {
@@ -30,17 +30,17 @@ struct Settings {
   bool cells = true;                       ///< filled; else cells are white
   bool panel = true, help = false;
   BackendOptions backend{};
-  std::optional<BackendOptions> compared{};  ///< draws the same, to the right of a line
-  double wipe = 0.5;                         ///< where that stands, of the window's width
+  std::optional<BackendOptions> compared{};  ///< draws the same picture, to the right of a line
+  double wipe = 0.5;                         ///< position of that line, as a fraction of the window's width
   RelaxMethod method = RelaxMethod::lloyd;
   Motion motion = Motion::rests;
   Density density{};         ///< for relaxing
   std::string density_path;  ///< where it came from
   Brush brush{};
-  std::uint64_t parcels = 2048;  ///< of a fluid that is begun
+  std::uint64_t parcels = 2048;  ///< of a new fluid
 };
 
-/// A backend to compare one with: what it shares is how many threads it has, and who watches.
+/// Returns a backend to compare with: it shares only the number of threads and the validation setting.
 inline BackendOptions comparedWith(const BackendOptions& backend, std::string name, std::string device) {
   BackendOptions other{};
   other.name = std::move(name);

@@ -14,7 +14,7 @@ void drawCell(PanelFrame& frame) {
   Widgets& widgets = frame.widgets;
   const std::optional<Hovered>& cell = frame.input.hovered;
   if (!widgets.group("Cell")) return;
-  // As many rows with a cell as without, so that nothing below moves.
+  // The number of rows is the same with and without a cell, so that nothing below moves.
   const auto pair = [&](const char* label, const std::string& text, float left, float value) {
     ImGui::SetCursorPosX(ImGui::GetStyle().WindowPadding.x + widgets.px(left));
     Widgets::dim(label);

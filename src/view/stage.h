@@ -1,4 +1,4 @@
-/// Puts a viewer's pictures and the panel into the window.
+/// Shows a viewer's pictures and the panel in the window.
 #pragma once
 
 #include <cstdint>
@@ -14,16 +14,16 @@ class Stage {
  public:
   Stage(Screen& screen, Viewer& viewer) : screen_(screen), viewer_(viewer) {}
 
-  /// Shows what is there now, unless that is what was shown last, and hands the panel's changes on. Nothing
-  /// where the window is minimized.
+  /// Shows the present picture and panel unless unchanged, and passes the panel's changes to the viewer. Does
+  /// nothing while the window is minimized.
   Result<void> draw();
-  /// The desktop may have lost what was shown: it is shown again with the next draw().
+  /// Makes the next draw() show everything again: the desktop may have lost the window's contents.
   void forget() { width_ = 0; }
-  /// What the window shows, with or without the panel.
+  /// Returns what the window shows, with or without the panel.
   Result<Image> read(bool with_panel);
-  /// Whether the panel keeps an event for itself.
+  /// Whether the panel consumes an event.
   bool keeps(const Event& event) { return panel_.take(event); }
-  /// The panel as it stood when it was drawn last.
+  /// The panel as it was drawn last.
   [[nodiscard]] const Panel& panel() const { return panel_; }
 
  private:
@@ -33,7 +33,7 @@ class Stage {
   Viewer& viewer_;
   Panel panel_{};
   PanelTriangles triangles_{};
-  Shown shown_{};  ///< last, with triangles_, in a window of this size
+  Shown shown_{};  ///< shown last, with triangles_, in a window of this size
   int width_ = 0, height_ = 0;
   bool has_texture_ = false;
   double present_milliseconds_ = 0;

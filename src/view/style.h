@@ -5,7 +5,7 @@
 
 namespace vorpipe::view {
 
-/// Colors, R in the lowest byte as ImGui's.
+/// Colors with R in the lowest byte, like ImGui's.
 namespace look {
 inline constexpr ImU32 accent = IM_COL32(74, 144, 217, 255), accent_hovered = IM_COL32(96, 163, 232, 255);
 inline constexpr ImU32 field = IM_COL32(52, 57, 66, 255), field_hovered = IM_COL32(66, 72, 83, 255);

@@ -9,7 +9,7 @@ namespace vorpipe::view {
 namespace {
 
 std::vector<Swatch> makeSwatches() {
-  // Sites whose weights are evenly spaced have the colors of the whole map, in its order.
+  // Sites with evenly spaced weights get the colors of the whole map, in its order.
   Sites sites;
   for (int i = 0; i < 17; ++i) {
     sites.x.push_back(i);
@@ -25,7 +25,7 @@ std::vector<Swatch> makeSwatches() {
     options.color_scale = ColorScale::linear;
     options.colormap = name;
     const Result<SiteColors> colors = siteColors(sites, Diagram{}, options);
-    // Every map that is listed has colors; one without would still have its name.
+    // Every listed map has colors; one without would still be listed by name.
     result.push_back({name, colors ? colors->rgba : std::vector<ImU32>{}});
   }
   return result;

@@ -1,4 +1,4 @@
-/// Colors of color maps, to choose by.
+/// Color samples of color maps, for choosing one.
 #pragma once
 
 #include <span>
@@ -15,7 +15,7 @@ struct Swatch {
   std::vector<ImU32> colors;
 };
 
-/// Those of colormaps(), in its order.
+/// The swatches of colormaps(), in its order.
 const std::vector<Swatch>& swatches();
 
 /// Draws colors side by side, each shading into the next, from one corner to the opposite.

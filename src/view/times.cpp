@@ -32,7 +32,7 @@ std::string milliseconds(double value) {
   return value < 100 ? fmt::format("{:.1f} ms", value) : fmt::format("{:.0f} ms", value);
 }
 
-/// The least of 1, 2 and 5 times a power of ten that is not below a time.
+/// Returns the smallest of 1, 2 and 5 times a power of ten that is not below `most`.
 double scaleFor(double most) {
   const double power = std::pow(10.0, std::floor(std::log10(std::max(most, 1.0))));
   for (const double times : {1.0, 2.0, 5.0}) {

@@ -10,7 +10,7 @@
 namespace vorpipe::view {
 namespace {
 
-/// Pixels from the line between two pictures within which the pointer has it.
+/// Distance in pixels within which the pointer grabs the line between two pictures.
 constexpr double wipe_reach = 5;
 
 }  // namespace
@@ -113,7 +113,7 @@ void Viewer::undoOrRedo(Action action) {
 void Viewer::change(const Settings& settings) {
   const bool moves_otherwise = settings.motion != settings_.motion || settings.method != settings_.method ||
                                settings.density_path != settings_.density_path;
-  // Each frame comes here: what rests already ends no drag, and no turns of the wheel.
+  // This runs every frame: sites already at rest must not end a drag or turns of the wheel.
   const bool pauses = settings.motion == Motion::rests && settings_.motion != Motion::rests;
   if (pauses) document_.settle();
   if (!settings.compared) wipe_.release();
@@ -132,7 +132,7 @@ std::vector<std::string> Viewer::backendsThatWork() const {
   return names;
 }
 
-/// With the next backend of those that work here, or no more.
+/// Compares with the next backend that works here, or ends the comparison.
 void Viewer::compare() {
   Settings changed = settings_;
   if (changed.compared) {
@@ -188,7 +188,7 @@ RenderOptions Viewer::picture() const {
   options.view = camera_.view();
   options.fit = Fit::stretch;
   options.fill = settings_.cells;
-  // Colors that are not there have no legend, and a small window has no room for it.
+  // Without colors there is no legend, and a small window has no room for it.
   const bool has_room =
       options.width >= least_with_legend.width && options.height >= least_with_legend.height;
   options.legend = options.legend && options.fill && has_room;
@@ -207,7 +207,7 @@ void Viewer::wish() {
   }
   if (std::exchange(wanted_, Wanted::nothing) == Wanted::other) ++gesture_;
   Wish wish{++wished_, gesture_, document_.sites(), picture(), settings_.backend};
-  // Without a GPU `auto` comes to cpu, which is slow where cells have weights (decision D133).
+  // Without a GPU `auto` resolves to cpu, which is slow if cells have weights (decision D133).
   const bool weighs = document_.fluid() || !document_.sites()->weight.empty();
   if (settings_.backend.name == "auto" && weighs) wish.not_cpu = given_.shown_by;
   wish.compared = settings_.compared;

@@ -1,5 +1,5 @@
-/// What a window shows and does, apart from the window: events, the panel's changes and pictures come in;
-/// what is to be shown and told goes out.
+/// The window's logic, independent of the window itself. Input: events, the panel's changes and pictures.
+/// Output: what to show and which messages to print.
 #pragma once
 
 #include <cstdint>
@@ -21,70 +21,70 @@
 
 namespace vorpipe::view {
 
-/// What is told where only a fluid has what is asked for.
+/// Message when an action needs a fluid and there is none.
 inline constexpr const char* no_fluid = "There is no fluid; the panel begins one.";
 
-/// What is told of a fluid that does not flow yet.
+/// Message for a fluid that does not flow yet.
 inline constexpr const char* how_to_flow = "Space has it flow, N makes a step, a left drag stirs.";
 
 struct ViewerOptions {
   Opened opened{};
-  Settings settings{};  ///< colors and marks; its domain, outline, period, size and view are not read
+  Settings settings{};  ///< colors and marks; its domain, outline, period, size and view are ignored
   std::shared_ptr<const Density> density{};
-  std::string shown_by{};                           ///< the backend whose driver the window has open
-  Load load{};                                      ///< what is dropped
-  std::function<void(const std::string&)> copy{};   ///< to the clipboard
-  std::function<void(const std::string&)> print{};  ///< a command line
+  std::string shown_by{};                           ///< the backend whose driver the window uses
+  Load load{};                                      ///< for dropped files
+  std::function<void(const std::string&)> copy{};   ///< copies to the clipboard
+  std::function<void(const std::string&)> print{};  ///< prints a command line
 };
 
 class Viewer {
  public:
-  /// `wake` is called, from any thread, when take() would find something.
+  /// `wake` is called, from any thread, when there are answers to take.
   Viewer(ViewerOptions options, int width, int height, std::function<void()> wake);
 
-  /// What the panel did not keep. Resize, Minimize and Restore are the window's to tell: see resize().
+  /// Handles an event that the panel did not consume. For Resize, Minimize and Restore see resize().
   void take(const Event& event);
   void act(Action action);
-  /// As the panel has changed them.
+  /// Sets the settings as the panel has changed them.
   void change(const Settings& settings);
-  /// A fluid, as the command line names it, in place of what is there; that can be undone.
+  /// Replaces the contents by a fluid of the command line's cases; that can be undone.
   void beginFluid(FluidCase which);
   /// Continues the fluid with other options.
   void flowBy(const FluidOptions& options);
   void resize(int width, int height);
-  /// How many pixels of the window the panel covers, from its left and from its right edge.
+  /// Sets how many pixels at the window's left and right edges the panel covers.
   void setCovered(double left, double right);
-  /// Of letters, and of what the pointer reaches.
+  /// Sets the scale of letters and of the pointer's reach.
   void setScale(double scale);
   /// Draws the same again, or takes the next step.
   void drawAgain();
 
-  /// Wishes what has changed since the last call. Call after all that came at once.
+  /// Issues a wish for what has changed since the last call. Call once after a batch of events.
   void wish();
-  /// Takes pictures and all else that was computed; whether there was anything.
+  /// Takes pictures and all other results; returns whether there were any.
   bool takeAnswers();
 
-  /// What is shown now; good until takeAnswers().
+  /// What to show now; valid until takeAnswers().
   [[nodiscard]] Shown shown() const;
-  /// As the last picture has it, with its ids; null before the first.
+  /// The last sharp picture, with its ids; null before the first.
   [[nodiscard]] const Frame* frame() const { return frame_ ? &*frame_ : nullptr; }
-  /// The picture that is shown, which may be a preview; null before the first.
+  /// The picture shown now, perhaps a preview; null before the first.
   [[nodiscard]] const Frame* seen() const { return preview_ ? &*preview_ : frame(); }
   [[nodiscard]] PanelInput panelInput(const std::string& presenter, double present_milliseconds) const;
   [[nodiscard]] const Document& document() const { return document_; }
   [[nodiscard]] const Settings& settings() const { return settings_; }
 
-  /// The number of the last wish, and of the last that was answered.
+  /// The numbers of the last wish and of the last answered wish.
   [[nodiscard]] std::uint64_t wished() const { return wished_; }
   [[nodiscard]] std::uint64_t answered() const { return answered_; }
-  /// Whether what is shown is the sharp picture of all that was taken, up to that wish where sites relax, and
-  /// files are read and written that were asked for. While it is minimized nothing is drawn.
+  /// Whether the shown picture is sharp and includes all events, up to wish `wish` if sites relax, and all
+  /// requested files are read and written. While the window is minimized, nothing is drawn.
   [[nodiscard]] bool isSettled(std::uint64_t wish) const;
   /// Sharp pictures so far.
   [[nodiscard]] std::uint64_t pictures() const { return pictures_; }
 
   [[nodiscard]] bool closes() const { return closes_; }
-  /// What no picture can be had without: no backend works. None where there is nothing wrong.
+  /// The error that prevents any picture: no backend works. None if all is well.
   [[nodiscard]] const std::optional<Error>& fault() const { return fault_; }
   [[nodiscard]] const std::vector<std::string>& validation() const { return validation_; }
 
@@ -129,27 +129,27 @@ class Viewer {
   Wanted wanted_ = Wanted::other;
   std::uint64_t wished_ = 0, gesture_ = 0, answered_ = 0, pictures_ = 0;
   std::uint64_t shown_version_ = 0;
-  std::optional<Frame> frame_{}, preview_{};  ///< the preview only until there is a sharp one
+  std::optional<Frame> frame_{}, preview_{};  ///< the preview only until the sharp picture exists
   Wipe wipe_{};
-  const Image* put_ = nullptr;  ///< two pictures as one, where they are compared
+  const Image* put_ = nullptr;  ///< two compared pictures joined into one
   int put_column_ = 0;
   std::uint64_t put_version_ = 0;
   std::shared_ptr<const Measures> measures_{};
   std::optional<RelaxStep> step_{};
   std::vector<float> history_{};
-  std::vector<Stroke> strokes_{};  ///< that the fluid does not have yet
+  std::vector<Stroke> strokes_{};  ///< not yet applied to the fluid
   std::uint64_t last_stroke_ = 0;
-  std::deque<Stopwatch> steps_{};  ///< since each of the fluid's last ones
+  std::deque<Stopwatch> steps_{};  ///< running since each of the fluid's last steps
   std::vector<DeviceInfo> devices_{};
   std::optional<DeviceInfo> device_{};
-  Settings wished_settings_{}, drawn_settings_{};  ///< of the last wish, and of the last one that was drawn
+  Settings wished_settings_{}, drawn_settings_{};  ///< of the last wish, and of the last drawn wish
 
   std::vector<std::string> to_save_{};  ///< once the picture is settled
-  std::string command_sites_{};         ///< the file of `command_revision_`, once it is written
+  std::string command_sites_{};         ///< the written file of `command_revision_`
   std::uint64_t command_revision_ = 0;
   std::string command_{};
   bool command_waits_ = false;
-  int files_ = 0;  ///< that are being read and written
+  int files_ = 0;  ///< number of files being read and written
   std::string message_{};
   std::optional<Error> fault_{};
   std::vector<std::string> validation_{};

@@ -73,7 +73,7 @@ void Widgets::value(std::string_view text, ImU32 color) {
   const auto wide = [](std::string_view of) { return ImGui::CalcTextSize(of.data(), endOf(of)).x; };
   std::string shown(text);
   for (std::size_t kept = text.size(); kept > 0 && wide(shown) > room;) {
-    // Not within a character.
+    // Does not cut within a UTF-8 character.
     do --kept;
     while (kept > 0 && (static_cast<unsigned char>(text[kept]) & 0xC0U) == 0x80U);
     shown = std::string(text.substr(0, kept)) + "\u2026";
@@ -138,7 +138,7 @@ void Widgets::toggle(const char* name, float width, bool& on, bool enabled) {
 int Widgets::choice(std::string_view name, std::span<const std::string> labels, int current, bool enabled,
                     float width) {
   const auto count = static_cast<int>(labels.size());
-  // Segments are as wide as their labels ask for, and share what is left.
+  // Segments are as wide as their labels, and share the remaining width.
   float asked = 0;
   for (const std::string& label : labels) asked += ImGui::CalcTextSize(label.c_str()).x;
   const float gap = 1, whole = width > 0 ? width : ImGui::GetContentRegionAvail().x;

@@ -1,4 +1,4 @@
-/// What the panel is made of: things to read, to switch, to choose and to press.
+/// The panel's widgets: texts, switches, choices and buttons.
 #pragma once
 
 #include <span>
@@ -12,52 +12,54 @@
 
 namespace vorpipe::view {
 
-/// Draws into the current window of Dear ImGui, at a scale, and notes where each thing stands by its name.
+/// Draws into the current window of Dear ImGui, at a scale, and records each widget's position by its name.
 class Widgets {
  public:
   explicit Widgets(double scale) : scale_(static_cast<float>(scale)) {}
 
-  /// Where what was drawn stands, and the windows that keep the pointer from what is below.
+  /// Positions of what was drawn, and the windows that block the pointer from what is below them.
   PanelPlaces places;
   std::vector<Placement> covered;
-  bool closes_list = false;  ///< the list that is open
+  bool closes_list = false;  ///< closes the open list
 
-  /// A length in units, pixels of a usual screen, in pixels of this one.
+  /// Converts a length in units (pixels of a usual screen) to pixels of this one.
   [[nodiscard]] float px(float units) const;
-  void note(std::string_view name);  ///< the item that was drawn last
-  void cover();                      ///< the current window keeps the pointer
+  void note(std::string_view name);  ///< records the item drawn last
+  void cover();                      ///< makes the current window block the pointer
 
-  /// A heading that opens and closes what is below, with what is to be seen of it even then on the right.
-  /// Whether it is open.
+  /// Draws a heading that opens and closes the group below; `summary`, on its right, is always visible.
+  /// Returns whether it is open.
   bool group(const char* name, std::string_view summary = "");
-  /// Begins a row: what it is about; its items follow in the column on the right.
+  /// Begins a row with its label; its items follow in the column on the right.
   void row(const char* label);
-  /// Text in a row; where it is too long it ends in three dots, and the tooltip has it whole.
+  /// Draws text in a row; if too long, it ends in three dots and the tooltip shows all of it.
   void value(std::string_view text, ImU32 color);
-  /// A line of what is less important.
+  /// Draws a line of less important text.
   static void dim(std::string_view text);
-  /// Of the item before, where the pointer rests on it.
+  /// Shows a tooltip while the pointer rests on the previous item.
   void tooltip(std::string_view text) const;
 
-  /// A button that fills `width` pixels. Whether it was pressed.
+  /// Draws a button `width` pixels wide. Returns whether it was pressed.
   bool button(std::string_view name, const char* label, float width, bool enabled = true);
-  /// One that stays lit while `on`. Whether it was pressed.
+  /// Draws a button that stays lit while `on`. Returns whether it was pressed.
   bool chip(std::string_view name, const char* label, float width, bool on, bool enabled = true);
-  /// A chip that changes what it shows.
+  /// Draws a chip that toggles `on`.
   void toggle(const char* name, float width, bool& on, bool enabled = true);
-  /// Side by side, of which one is lit, in `width` pixels or what there is. The one that was pressed, or -1.
+  /// Draws buttons side by side, one of them lit, in `width` pixels or the available width. Returns the index
+  /// of the pressed one, or -1.
   int choice(std::string_view name, std::span<const std::string> labels, int current, bool enabled = true,
              float width = 0);
-  /// As wide as there is room. Whether the value changed.
+  /// Draws a slider as wide as there is room. Returns whether the value changed.
   bool slider(std::string_view name, double& value, double least, double most, const char* format,
               bool enabled = true);
-  /// A list that opens: what it is closed; if it returns true, draw its items, then call endList().
+  /// Begins a drop-down list that shows `preview` when closed. If it returns true, draw its items, then call
+  /// endList().
   bool beginList(std::string_view name, const char* preview, bool enabled = true);
   void endList();
-  /// An item of a list. Whether it was chosen.
+  /// Draws an item of a list. Returns whether it was chosen.
   bool item(std::string_view name, const char* label, bool current, bool enabled = true);
 
-  /// The width of each of `count` items that fill what is left of a row.
+  /// Returns the width of each of `count` items that fill the rest of a row.
   [[nodiscard]] static float share(int count);
 
  private:

@@ -1,4 +1,4 @@
-/// A Window as the viewer needs it.
+/// A Window as a Screen.
 #pragma once
 
 #include <utility>

@@ -1,4 +1,4 @@
-/// Two pictures side by side, of which a line that is dragged shows more or less: what two backends draw.
+/// Pictures of two backends side by side, divided by a line that can be dragged.
 #pragma once
 
 #include <optional>
@@ -11,12 +11,12 @@ namespace vorpipe::view {
 
 class Wipe {
  public:
-  /// Whether it keeps the event: a press near the line, `at` of the window's width, and what follows it until
-  /// it is let go. `reach` is in pixels.
+  /// Whether it consumes the event: a press near the line, and all that follows until the release. `at` is
+  /// the line's position as a fraction of the window's width; `reach` is in pixels.
   bool take(const Event& event, std::optional<Place> pointer, int width, double reach, double& at);
   void release() { held_ = false; }
 
-  /// The first picture, and the other one from a column on.
+  /// Returns the first picture with the other one from `column` on.
   const Image& put(const Image& first, const Image& other, int column);
 
  private:

@@ -12,7 +12,7 @@ namespace vorpipe::view {
 
 struct Word {
   std::string text;
-  std::size_t column = 1;  ///< of its first byte, from 1
+  std::size_t column = 1;  ///< column of its first byte, from 1
 };
 
 struct WordProblem {
@@ -20,11 +20,11 @@ struct WordProblem {
   std::string what;
 };
 
-/// The words of a line, which blanks separate. One in double quotes may have blanks; in it \" is a quote, and
+/// Splits a line into words at blanks. A word in double quotes may contain blanks; in it \" is a quote, and
 /// \\ a backslash. A word that begins with # ends the line.
 tl::expected<std::vector<Word>, WordProblem> wordsOf(std::string_view line);
 
-/// A word as wordsOf reads it: in quotes where it has to be.
+/// Returns a word as wordsOf reads it: quoted if necessary.
 std::string wordFor(std::string_view text);
 
 }  // namespace vorpipe::view

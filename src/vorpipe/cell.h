@@ -13,10 +13,10 @@
 
 namespace vorpipe {
 
-/// The closed lines that bound a cell: one; none where the cell has no vertices; in a domain with an outline
-/// any number, outer ones counter-clockwise, each followed by its holes, clockwise. Ring r is a part of the
-/// cell's vertices, in the same order, so that its edges stand at the same places among the cell's neighbors.
-/// The diagram outlives this.
+/// The closed rings that bound a cell: one, or none if the cell has no vertices. In a domain with an outline
+/// there may be several: outer ones counter-clockwise, each followed by its holes, clockwise. Ring r is a
+/// contiguous part of the cell's vertices, in the same order; its edges have the same positions among the
+/// cell's neighbors. The diagram outlives this object.
 class CellRings {
  public:
   CellRings(const Diagram& diagram, std::size_t cell)
@@ -49,7 +49,7 @@ class CellRings {
     return vertices_.subspan(begin(r), end(r) - begin(r));
   }
 
-  /// Whether ring r bounds a hole of the last ring before it that does not.
+  /// Whether ring r bounds a hole of the last outer ring before it.
   [[nodiscard]] bool isHole(std::size_t r) const {
     if (r == 0) return false;
     const auto ring = (*this)[r];
@@ -68,9 +68,9 @@ class CellRings {
   std::size_t size_ = 0;
 };
 
-/// Cell `index` of a diagram, which outlives this: the record of a site, whatever became of it. Numbers are
-/// there as the run's Detail and density say; to ask for others is an error of the caller. Lists of what is
-/// not there are empty.
+/// Cell `index` of a diagram, which outlives this object: the record of a site, whatever its status. Which
+/// values exist depends on the run's Detail and density; asking for another value is an error of the caller.
+/// Lists that the diagram lacks are empty.
 class Cell {
  public:
   Cell(const Diagram& diagram, std::size_t index) : diagram_(&diagram), index_(index) {
@@ -79,7 +79,7 @@ class Cell {
 
   [[nodiscard]] std::size_t index() const { return index_; }
   [[nodiscard]] Status status() const { return at(diagram_->status); }
-  /// Itself, or of a duplicate the site that owns the cell.
+  /// The cell's own site; for a duplicate, the site that owns the cell.
   [[nodiscard]] std::uint32_t owner() const { return at(diagram_->owner); }
 
   [[nodiscard]] double area() const { return at(diagram_->area); }
@@ -90,19 +90,20 @@ class Cell {
   [[nodiscard]] double mass() const { return at(diagram_->mass); }
   [[nodiscard]] Point massCentroid() const { return at(diagram_->mass_centroid); }
 
-  /// Edges, and vertices: edge k runs from vertex k to the next one of its ring.
+  /// Number of edges and of vertices: edge k runs from vertex k to the next one of its ring.
   [[nodiscard]] std::size_t edges() const { return end() - begin(); }
   [[nodiscard]] std::span<const Point> vertices() const { return part(diagram_->vertices); }
-  /// Across each edge: a site, or a wall; see isWall().
+  /// The neighbor across each edge: a site or a wall; see isWall().
   [[nodiscard]] std::span<const std::int64_t> neighbors() const { return part(diagram_->neighbors); }
   [[nodiscard]] std::span<const double> edgeLengths() const { return part(diagram_->edge_lengths); }
-  /// Of each neighbor in a periodic domain: how many periods the image that the cell meets is from it.
+  /// Per neighbor in a periodic domain: the offset, in periods, of the image that the cell meets from the
+  /// neighbor itself.
   [[nodiscard]] std::span<const std::array<std::int32_t, 2>> shifts() const {
     return part(diagram_->neighbor_shifts);
   }
   [[nodiscard]] CellRings rings() const { return {*diagram_, index_}; }
 
-  /// Where it stands in the diagram's vertices, neighbors, edge lengths and shifts.
+  /// The cell's range in the diagram's vertices, neighbors, edge lengths and shifts.
   [[nodiscard]] std::uint64_t begin() const { return diagram_->cell_offsets[index_]; }
   [[nodiscard]] std::uint64_t end() const { return diagram_->cell_offsets[index_ + 1]; }
 
@@ -122,7 +123,7 @@ class Cell {
   std::size_t index_;
 };
 
-/// Goes through the cells of a diagram.
+/// Iterates over the cells of a diagram.
 class CellIterator {
  public:
   using value_type = Cell;

@@ -27,16 +27,16 @@ std::vector<std::string> backendNames();
 std::vector<std::string> featureNames();
 std::vector<std::string> limitNames();
 
-/// Called from any thread with what a run has been waiting for, for seconds: one line.
+/// Called from any thread, with one line, when a run has waited for something for seconds.
 using Waiting = std::function<void(std::string_view what)>;
 
 struct BackendOptions {
   std::string name = "auto";  ///< auto, vulkan, vulkan-geometry, vulkan-compute, opengl, cpu
-  std::string device;         ///< empty: the best; else an index or a part of a name, as devices() lists
+  std::string device;         ///< empty: the best; else an index, or a part of a name, as in devices()
   int threads = 0;            ///< CPU threads; 0: all
   Mask mask;
   bool validation = false;  ///< Vulkan validation layers, core and synchronization
-  Waiting waiting{};        ///< null: nobody is told
+  Waiting waiting{};        ///< null: no reports
 };
 
 /// One device of one backend, usable or not.
@@ -44,30 +44,32 @@ struct DeviceInfo {
   std::string backend, name, driver;
   std::string type;  ///< discrete, integrated, virtual, cpu, other
   bool usable = false;
-  std::string reason;  ///< why it cannot be used, and what would help; empty when usable
-  /// Drivers that were looked through for hardware before this was taken: they stay in the process.
+  std::string reason;  ///< why it is unusable, and what would help; empty if usable
+  /// Other drivers were searched for hardware before this device was chosen; they stay loaded in the process.
   bool beside_drivers = false;
   std::vector<std::pair<std::string, bool>> features;
   std::vector<std::pair<std::string, std::uint64_t>> limits;
 };
 
-/// How a device rounds, as measured on it. Errors are the largest that were found, in units in the last place
-/// (ULP) of the exact result; exactly rounded is 0.5.
+/// How a device rounds, as measured on it. Errors are the largest found, in units in the last place (ULP) of
+/// the exact result; exact rounding gives 0.5.
 struct Arithmetic {
   double quotient = 0, root = 0, inverse_root = 0, product = 0, sum = 0;
-  double offset = 0;            ///< of (a - b) + (c - d), declared precise: by this far sites are told apart
-  bool fuses = false;           ///< rounds a b + c once, where it may
-  bool fuses_precise = false;   ///< and where it must not
-  bool keeps_denormals = true;  ///< numbers below 2^-126; else they are 0
-  /// Vertices are snapped to 1 / 2^bits of a pixel; most_subpixel_bits stand for any more, and 0 for places
-  /// that make no sense. None where pictures are not drawn but computed, or views are too small to tell.
+  double offset =
+      0;  ///< of (a - b) + (c - d), declared precise: the smallest separation of sites depends on it
+  bool fuses = false;           ///< rounds a b + c only once, where that is allowed
+  bool fuses_precise = false;   ///< rounds it only once even where that is forbidden
+  bool keeps_denormals = true;  ///< numbers below 2^-126; if false, they become 0
+  /// Vertices are snapped to 1 / 2^bits of a pixel. most_subpixel_bits means that many or more; 0 means that
+  /// the measured places make no sense. None if pictures are computed instead of drawn, or views are too
+  /// small to measure it.
   std::optional<int> subpixel_bits;
-  Report report;  ///< who measured it, and what the validation layers said
+  Report report;  ///< which backend and device measured it, and messages of the validation layers
 };
 
 inline constexpr int most_subpixel_bits = 10;
 
-/// Every backend with its devices; a backend without any has one entry that says why.
+/// Every backend with its devices; a backend without devices has one entry that gives the reason.
 std::vector<DeviceInfo> devices(const Mask& mask);
 
 }  // namespace vorpipe

@@ -1,4 +1,4 @@
-/// A fluid without friction whose parcels are cells that keep their areas.
+/// A frictionless fluid whose parcels are cells of constant area.
 #pragma once
 
 #include <cstdint>
@@ -18,14 +18,14 @@ namespace vorpipe {
 
 class Session;
 
-/// How velocities are made those of an incompressible fluid.
+/// How velocities are made incompressible.
 enum class FluidScheme : std::uint8_t {
-  /// Springs pull each site to the centroid of its cell, which has its area always (Gallouet and Merigot
-  /// 2018); steps are velocity Verlet's, which keep energy, and ask for one set of cells each.
+  /// Springs pull each site to the centroid of its cell, whose area is constant (Gallouet and Merigot 2018).
+  /// Steps are velocity Verlet steps, which conserve energy and need one set of cells each.
   springs,
-  /// Velocities that change no area, by a pressure; of each step the middle is a reflection about them
-  /// (Zehnder, Narain and Thomaszewski 2018), which keeps energy where projections alone lose it. Of second
-  /// order, and for domains that are full.
+  /// A pressure makes velocities preserve areas. The middle of each step is a reflection about such
+  /// velocities (Zehnder, Narain and Thomaszewski 2018), which conserves energy where projections alone lose
+  /// it. Second order; only for domains that the fluid fills.
   projection,
 };
 
@@ -35,33 +35,35 @@ struct FluidOptions {
   Surface surface = Surface::none;
   Point gravity{0, 0};
   FluidScheme scheme = FluidScheme::springs;
-  double step = 0;  ///< of time; 0: each as long as the sites' speeds and the springs allow
-  /// A time: springs swing in 2 pi of it. 0: 2 spacings, the roots of the mean volume, over the largest first
-  /// speed, or over half of that with which what is highest reaches the lowest corner of the domain; with a
-  /// free surface 3 spacings. By projection no step that is chosen is longer than half of it.
+  double step = 0;  ///< time step; 0: each as long as the sites' speeds and the springs allow
+  /// A time: springs oscillate with a period of 2 pi times this. 0: 2 spacings (3 with a free surface) over a
+  /// speed; a spacing is the root of the mean volume. The speed is the largest initial speed, or half the
+  /// speed of a fall from the highest site to the lowest corner of the domain. With FluidScheme::projection
+  /// no automatic step is longer than half of this time.
   double epsilon = 0;
-  double until = std::numeric_limits<double>::infinity();  ///< time at which it ends, with a shorter step
-  double tolerance = 1e-6;       ///< no area differs from its volume by more than this part of it
-  std::uint64_t diagrams = 100;  ///< most of each set of areas
+  double until =
+      std::numeric_limits<double>::infinity();  ///< end time; the last step is shortened to meet it
+  double tolerance = 1e-6;       ///< largest difference of an area from its volume, relative to the volume
+  std::uint64_t diagrams = 100;  ///< maximum for each solution of the areas
   SearchOptions search;
   Progress progress;  ///< may be empty
 };
 
-/// All that a later step depends on, by site. A fluid that continues from it gives the same bytes.
+/// Everything that a later step depends on, by site. A fluid that continues from it gives the same bytes.
 struct FluidState {
-  Sites sites;  ///< with weights; without, they are found
+  Sites sites;  ///< with weights; if it has none, they are computed
   std::vector<Point> velocity;
   std::vector<double> volume;    ///< area of the cell; empty: equal shares of the domain
   std::vector<double> density;   ///< mass per volume; empty: 1
   std::vector<double> pressure;  ///< of the last step; empty before the first
   std::vector<double> trend;     ///< of weights, per time; empty before the first step
-  /// The order in which the sites stood in memory, which rounding depends on; empty: a new one is chosen.
+  /// The order of the sites in memory, which rounding depends on; empty: a new one is chosen.
   std::vector<std::uint32_t> order;
-  /// Sum of mass times the ways by which periods have put sites back against gravity: what they fell there is
-  /// potential energy that is gone.
+  /// Sum of mass times displacement, over all shifts by a period that moved sites back against gravity. The
+  /// potential energy of those falls is no longer in the sites.
   Point carried{0, 0};
   double epsilon =
-      0;  ///< of springs, as it was chosen at first, where the options leave it open; 0: it is not
+      0;  ///< of springs: as chosen at the beginning if the options leave it open; 0: not yet chosen
   double time = 0;
   std::uint64_t step = 0;
 };
@@ -70,13 +72,13 @@ struct FluidState {
 struct FluidStep {
   std::uint64_t step = 0;
   double time = 0, length = 0;                    ///< length: of the step
-  double kinetic = 0, potential = 0, spring = 0;  ///< energies; spring: 0 but for that scheme
+  double kinetic = 0, potential = 0, spring = 0;  ///< energies; spring: 0 except with that scheme
   Point momentum{0, 0};
   double worst = 0;     ///< largest |area - volume| / volume
-  double farthest = 0;  ///< largest distance of a site to its centroid, in spacings
+  double farthest = 0;  ///< largest distance from a site to its centroid, in spacings
   double fastest = 0;   ///< largest speed
   std::uint64_t diagrams = 0, linear_iterations = 0;
-  std::uint64_t halvings = 0;  ///< steps were halved so often, since areas could not be found
+  std::uint64_t halvings = 0;  ///< number of times that a step was halved because areas were not found
   double seconds = 0;          ///< since the fluid began
   [[nodiscard]] double energy() const { return kinetic + potential + spring; }
 };
@@ -85,43 +87,43 @@ struct FluidStep {
 enum class FluidEnd : std::uint8_t {
   none,  ///< it has not
   time,
-  areas,  ///< they could not be found even for short steps
+  areas,  ///< areas could not be found even for short steps
   cancelled,
 };
 
 /// A fluid, step by step. The session outlives it.
 class Fluid {
  public:
-  /// Finds the cells. Errors (input): those of transport(); numbers of velocities, volumes or densities that
-  /// are not that of sites, or not finite; a scheme that does not go with the surface; areas that could not
-  /// be found.
+  /// Finds the cells. Errors (input): those of transport(); velocities, volumes or densities that are not
+  /// finite or not as many as the sites; a scheme that does not support the surface; areas that could not be
+  /// found.
   static Result<Fluid> begin(Session& session, FluidState state, FluidOptions options);
   Fluid(Fluid&&) noexcept;
   Fluid& operator=(Fluid&&) noexcept;
   ~Fluid();
 
-  /// Whether a step was made; if not, end() says why, and the state is that of the last one. Errors: those of
-  /// Session::cells.
+  /// Makes a step. Returns whether it did; if not, end() gives the reason, and the state is that of the last
+  /// step. Errors: those of Session::cells.
   Result<bool> step();
 
-  /// Lets it go on until that time, whatever it ended by: where a step was cancelled, or its areas were not
-  /// found, the next one begins where that did. Errors: those of Session::cells; the time is NaN, or areas
-  /// could not be found again (input).
+  /// Lets the fluid continue until that time, whatever ended it. If a step was cancelled, or its areas were
+  /// not found, the next step begins from the same state. Errors: those of Session::cells; the time is NaN,
+  /// or areas could again not be found (input).
   Result<void> goOn(double until);
 
-  [[nodiscard]] const FluidOptions& options() const;  ///< epsilon is the one that was chosen
+  [[nodiscard]] const FluidOptions& options() const;  ///< with the chosen epsilon
   [[nodiscard]] const FluidState& state() const;      ///< in input order
-  [[nodiscard]] const FluidStep& last() const;        ///< of the state
+  [[nodiscard]] const FluidStep& last() const;        ///< the step that led to the state
   [[nodiscard]] FluidEnd end() const;
-  /// Of the last diagram. Its notes tell of the fluid, too: sites beyond walls, steps that springs do not
-  /// stand, springs that do not go with its speeds, energy out of nothing.
+  /// Of the last diagram. Its notes cover the fluid, too: sites beyond walls, steps too long for the springs,
+  /// springs unsuited to its speeds, and energy gained from nothing.
   [[nodiscard]] const Report& report() const;
-  /// Whether there is more than twice the energy that there was to move with, at the beginning or when it was
-  /// pushed last: steps are too long.
+  /// Whether the energy is more than twice the energy available for motion at the beginning, or at the last
+  /// push: steps are too long.
   [[nodiscard]] bool hasExploded() const;
 
-  /// Adds to velocities, one for each site: what stirs. Errors (input): another number of them; one that is
-  /// not finite.
+  /// Adds to the velocities, one vector for each site, as when stirring. Errors (input): a different number
+  /// of them; one that is not finite.
   Result<void> push(const std::vector<Point>& velocities);
 
  private:
@@ -130,13 +132,13 @@ class Fluid {
   std::unique_ptr<State> state_;
 };
 
-/// Flows to begin with.
+/// Ready-made flows.
 enum class FluidCase : std::uint8_t {
-  taylor_green,     ///< a vortex that fills the unit square, and never changes
-  gresho,           ///< a vortex with a rim in a box, which never changes either
+  taylor_green,     ///< a steady vortex that fills the unit square
+  gresho,           ///< a steady vortex with a rim, in a box
   shear,            ///< two layers that slide along each other and roll up, periodic
   rayleigh_taylor,  ///< a heavy fluid above a light one
-  dam_break,        ///< a column of water, twice as high as wide, in a box four times as wide, as it falls
+  dam_break,        ///< a falling column of water, twice as high as wide, in a box four times as wide
 };
 
 std::vector<std::string> fluidCaseNames();
@@ -147,10 +149,10 @@ struct FluidSetup {
   FluidOptions options;
 };
 
-/// About `parcels` of them, at least 4.
+/// Sets up a flow with about `parcels` parcels, at least 4.
 FluidSetup fluidCase(FluidCase which, std::uint64_t parcels);
 
-/// Where the flow never changes, its velocity; else nothing.
+/// The velocity at a place if the flow is steady; else nothing.
 std::optional<Point> steadyVelocity(FluidCase which, Point at);
 
 }  // namespace vorpipe

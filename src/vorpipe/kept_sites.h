@@ -1,4 +1,4 @@
-/// Sites that are drawn in one view after another.
+/// Sites that are drawn in several views, one after another.
 #pragma once
 
 #include <memory>
@@ -12,8 +12,9 @@ namespace vorpipe {
 
 class Session;
 
-/// Keeps with a session what drawing the same sites again would find again: their order, their cells, what is
-/// uploaded. The session outlives this, and does nothing else between two calls that would be slower for it.
+/// Keeps data that drawing the same sites again would recompute: their order, their cells, their uploads. The
+/// session outlives this object. Other work that the session does between two calls makes the next one
+/// slower.
 class KeptSites {
  public:
   KeptSites(Session& session, Sites sites);
@@ -23,12 +24,12 @@ class KeptSites {
 
   [[nodiscard]] const Sites& sites() const;
 
-  /// What Session::render draws, pixel by pixel. Where nothing but view, size, colors and marks differ from
-  /// the call before, only those are found anew. Errors: those of Session::render.
+  /// Draws the same pixels as Session::render. If only view, size, colors and marks differ from the previous
+  /// call, only those are recomputed. Errors: those of Session::render.
   Result<Rendering> render(const RenderOptions& options);
 
-  /// Areas, centroids and neighbors, found once for the same domain, outline, period and search; good until
-  /// the next call. Errors: those of Session::cells.
+  /// Areas, centroids and neighbors, computed once per domain, outline, period and search; valid until the
+  /// next call. Errors: those of Session::cells.
   Result<const Diagram*> measures(const CellsOptions& options);
 
  private:

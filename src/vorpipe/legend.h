@@ -1,4 +1,4 @@
-/// Where the legend of a picture stands, and what is in it: the same for pixels, SVG and PDF.
+/// Layout and content of a picture's legend: the same for pixels, SVG and PDF.
 #pragma once
 
 #include <cstdint>
@@ -9,7 +9,7 @@
 
 namespace vorpipe {
 
-/// The smallest picture that a legend fits into, in either direction.
+/// The smallest picture, in either direction, that a legend fits into.
 inline constexpr PictureSize least_with_legend{100, 64};
 
 /// In pixels from the picture's upper left corner, y downward.
@@ -27,14 +27,14 @@ struct LegendText {
   std::string text;  ///< ASCII
 };
 
-/// Boxes first, each over those before it; then texts, in black.
+/// Boxes are drawn first, each over the previous ones; then texts, in black.
 struct Legend {
   std::vector<LegendBox> boxes;
   std::vector<LegendText> texts;
 };
 
-/// The legend of a picture of width x height pixels, in its lower left corner. `key` is that of its colors in
-/// `colormap`, which is one of colormaps().
+/// Returns the legend of a picture of width x height pixels, in its lower left corner. `key` describes its
+/// colors in `colormap`, which is one of colormaps().
 Legend legendOf(const ColorKey& key, const std::string& colormap, int width, int height);
 
 }  // namespace vorpipe

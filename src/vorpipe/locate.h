@@ -1,4 +1,4 @@
-/// Which cell holds a place.
+/// Point location: which cell contains a place.
 #pragma once
 
 #include <cstdint>
@@ -11,29 +11,30 @@
 
 namespace vorpipe {
 
-/// Finds the sites in whose cells places lie, without the cells. Thread safe.
+/// Finds the sites whose cells contain given places, without computing the cells. Thread safe.
 ///
-/// A place belongs to the site of least power, with weights, or of least distance: of equal positions to
-/// their owner. Along a periodic axis it stands for all of its copies. The sides of the domain belong to it;
-/// which places on an outline do is decided as if it lay shifted by an infinitely small way up and to the
-/// right.
+/// A place belongs to the site of least distance, or of least power with weights; of equal positions, to
+/// their owner. Along a periodic axis a place stands for all of its copies. The sides of the domain belong to
+/// it. Whether a place on an outline belongs is decided as if the place were shifted infinitesimally up and
+/// to the right.
 ///
-/// Where distances differ by rounding alone the side of the bisector decides, on which a place lies by the
-/// differences of coordinates, as in the judge of pictures. A place on the bisector itself has the first of
-/// its sites in the input, in a periodic domain of those that are not beyond its border, if any; with weights
-/// it may have another of them. It depends on the sites and the domain alone, not on threads or other places.
-/// Where three and more sites with weights are equal up to rounding, it may have one without a cell.
+/// If distances differ only by rounding, the side of the bisector decides. It is computed from differences of
+/// coordinates, as when pictures are judged. A place on the bisector itself gets the first of its sites in
+/// the input; in a periodic domain, the first of those not beyond its border, if any. With weights it may get
+/// another of these sites. The result depends only on the sites and the domain, not on threads or other
+/// places. Where three or more weighted sites are equal up to rounding, the result may be a site without a
+/// cell.
 class Locator {
  public:
-  /// Prepares sites for the domain of `options`, its outline and its period; what else they say does not
-  /// matter. `threads`: 0 for all. Errors: as checkInput() (input); out of memory (device).
+  /// Prepares sites for the domain of `options`, its outline and its period; other options are ignored.
+  /// `threads`: 0 for all. Errors: those of checkInput() (input); out of memory (device).
   static Result<Locator> make(const Sites& sites, const CellsOptions& options, int threads = 0);
   Locator(Locator&&) noexcept;
   Locator& operator=(Locator&&) noexcept;
   ~Locator();
 
-  /// The site, by index in the input, or no_site where the place is beyond the domain or the outline, no
-  /// number, or more than 2^50 periods away.
+  /// The site, by index in the input; no_site if the place is beyond the domain or the outline, is NaN, or is
+  /// more than 2^50 periods away.
   [[nodiscard]] std::uint32_t at(Point place) const;
 
   /// The same for many places, on all threads; `sites` is as long as `places`.

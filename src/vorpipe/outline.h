@@ -1,4 +1,4 @@
-/// Outlines made valid, and outlines of sites.
+/// Mended (valid) outlines, and outlines of sites.
 #pragma once
 
 #include <functional>
@@ -12,20 +12,19 @@ namespace vorpipe {
 
 struct MendedOutline {
   Outline outline;
-  std::string changes;  ///< what was changed, in words; empty: nothing
+  std::string changes;  ///< description of the changes; empty: none
 };
 
-/// How messages tell of an outline in a plane that is not the caller's.
+/// How messages describe an outline in a plane that is not the caller's.
 struct OutlineWords {
-  std::function<Point(Point)> place{};  ///< where a place is for the caller; empty: there
-  std::string_view unit_of_area{};      ///< after areas
+  std::function<Point(Point)> place{};  ///< converts a place to the caller's coordinates; empty: unchanged
+  std::string_view unit_of_area{};      ///< suffix of areas
 };
 
-/// Dissolves polygons that touch along sides or overlap, as those of neighboring districts do, into what they
-/// cover together. A ring that crosses itself is refused, unless `repair` is set: then what it winds around
-/// an odd number of times is kept, without what holes do. What rounding leaves between polygons is left out.
-/// An outline that is valid stays as it is. Errors (input): as checkInput's for an outline; nothing of it has
-/// an area.
+/// Dissolves polygons that touch along sides or overlap, such as neighboring districts, into their union. A
+/// ring that crosses itself is refused unless `repair` is set: then the regions of odd winding number are
+/// kept, minus holes. Rounding artifacts between polygons are dropped. A valid outline stays as it is. Errors
+/// (input): those of checkInput for an outline; no part of it has an area.
 Result<MendedOutline> mended(const Outline& outline, bool repair, const OutlineWords& words = {});
 
 /// The convex hull of sites, grown on every side by `margin`, which is 0 or more. Errors (input): the sites

@@ -1,4 +1,4 @@
-/// Pictures of cells, their comparison and their check.
+/// Pictures of cells, how to compare them and how to check them.
 #pragma once
 
 #include <cstdint>
@@ -20,10 +20,10 @@ struct PictureSize {
   int width = 0, height = 0;
 };
 
-/// Most pixels of a side.
+/// Maximum number of pixels of a side.
 inline constexpr int largest_side = 32768;
 
-/// The size of a picture of `domain` where none is named: the longer side 1000, the other at least 1.
+/// The default size of a picture of `domain`: the longer side 1000 pixels, the other at least 1.
 PictureSize defaultSize(const Box& domain);
 
 /// The same with another longer side, in pixels.
@@ -31,73 +31,75 @@ PictureSize sizeFor(const Box& domain, int longer_side);
 
 enum class ColorBy : std::uint8_t { site, area, neighbors, weight };
 
-/// How values become colors. Those that differ by no more than 1e-7 of their size are equal.
+/// How values become colors. Values that differ by at most 1e-7 of their size are equal.
 enum class ColorScale : std::uint8_t {
   automatic,  ///< quantile by area and by weight, linear by neighbors
   linear,
   log,       ///< of values above 0; all others have the first color
-  quantile,  ///< by rank: as many cells have one color as another; equal values share their middle rank
+  quantile,  ///< by rank: each color gets equally many cells; equal values share their middle rank
 };
 
-/// The values that have the first and the last color; those beyond have the same. Quantiles are those of the
-/// values inside, the least and the greatest of which then have these colors.
+/// The values of the first and the last color; values beyond get these colors, too. Quantiles are computed
+/// from the values inside the range: the least and the greatest of these get the first and the last color.
 struct ColorRange {
   double low = 0, high = 0;  ///< low is below high
 };
 
-/// What becomes of a domain in a picture of another aspect.
+/// How a domain fits into a picture of another aspect ratio.
 enum class Fit : std::uint8_t {
-  stretch,    ///< it fills the picture
-  letterbox,  ///< it keeps its aspect, in the middle; pixels beside it have no site
+  stretch,    ///< the domain fills the picture
+  letterbox,  ///< the domain keeps its aspect, in the middle; pixels beside it have no site
 };
 
 struct RenderOptions {
-  Box domain;         ///< what is drawn, and what cells are clipped to
-  Outline outline{};  ///< what cells are clipped to besides, inside the domain; pixels beyond it have no site
+  Box domain;         ///< the region drawn; also clips cells
+  Outline outline{};  ///< also clips cells, inside the domain; pixels beyond it have no site
   Periodic periodic = Periodic::none;
   int width, height;  ///< pixels, 1 to largest_side each
   ColorBy color = ColorBy::site;
   std::string colormap = "viridis";  ///< one of colormaps()
-  bool edges = false;                ///< darkens pixels beside which another cell begins
+  bool edges = false;                ///< darkens pixels that are next to another cell
   bool show_sites = false;           ///< a dot at each site
   SearchOptions search;
   Progress progress;  ///< may be empty
   ColorScale color_scale = ColorScale::automatic;
-  std::optional<ColorRange> color_range{};  ///< none: the least and the greatest value of a cell
-  /// What colors stand for, drawn in a corner of a picture of at least least_with_legend pixels.
+  std::optional<ColorRange> color_range{};  ///< none: the least and the greatest value of the cells
+  /// Draws a legend of the colors in a corner; the picture must be at least least_with_legend pixels.
   bool legend = false;
   double edge_width = 1;  ///< pixels, 1 to 100
-  double dot_size = 0;    ///< of a site, across, in pixels, up to 100; 0: by the spacing of those that show
+  double dot_size =
+      0;  ///< diameter of a site's dot, in pixels, up to 100; 0: from the spacing of the visible sites
   Fit fit = Fit::stretch;
-  /// What is drawn, where that is not the domain: a part of it, or more than it. It clips no cell, and
-  /// changes no color; pixels beyond the domain have no site. `fit` is about the view then.
+  /// The region drawn, if it is not the domain: a part of it, or more than it. It clips no cell and changes
+  /// no color; pixels beyond the domain have no site. `fit` then applies to the view.
   std::optional<Box> view{};
-  bool fill = true;        ///< cells have colors; else they are white
-  int antialias = 1;       ///< as many rows and columns of places in each pixel, 1 to 8, have its mean color
-  bool dual = false;       ///< lines between sites whose cells have a common edge in the domain
-  bool labels = false;     ///< the index of each site, where there is room for it
+  bool fill = true;     ///< cells have colors; else they are white
+  int antialias = 1;    ///< rows and columns of samples in each pixel, 1 to 8; a pixel gets their mean color
+  bool dual = false;    ///< draws lines between sites whose cells share an edge in the domain
+  bool labels = false;  ///< draws the index of each site, where there is room for it
   double label_size = 10;  ///< the height of digits, in pixels, 5 to 200
 };
 
-/// What the colors of a picture stand for.
+/// What the colors of a picture mean.
 struct ColorKey {
   ColorBy color = ColorBy::area;
   ColorScale scale = ColorScale::linear;  ///< never automatic
-  ColorRange range{};                     ///< low is high where all values are equal
-  /// Places along the colors in [0, 1], ascending, and their values, each once: one where all are equal.
+  ColorRange range{};                     ///< low equals high if all values are equal
+  /// Positions along the colors in [0, 1], ascending, with their values; no value twice. Only one tick if all
+  /// values are equal.
   std::vector<std::pair<double, double>> ticks{};
 };
 
-/// The colors of cells, as render gives them.
+/// The colors of cells, as in render.
 struct SiteColors {
   std::vector<std::uint32_t> rgba;  ///< by site, in input order
-  std::optional<ColorKey> key;      ///< none by site
+  std::optional<ColorKey> key;      ///< none with ColorBy::site
 };
 
-/// Colors sites as a picture with these options does; a site that has no cell counts for nothing. `cells` are
-/// those of the same sites; by site they are not read, and by weight their statuses alone, if there are any.
-/// Errors (input): a color map or a scale that there is not for these sites; a scale, a range or a legend of
-/// colors by site.
+/// Colors sites as in a picture with these options; sites without a cell do not count. `cells` are those of
+/// the same sites. Colors by site do not read them; colors by weight read only their statuses, if there are
+/// any. Errors (input): a color map or a scale that is unavailable for these sites; a scale, a range or a
+/// legend with colors by site.
 Result<SiteColors> siteColors(const Sites& sites, const Diagram& cells, const RenderOptions& options);
 
 /// Refuses (input) a size, an edge width or a dot size out of range, and a legend without room.
@@ -108,22 +110,22 @@ struct PictureFrame {
   int left = 0, top = 0, width = 0, height = 0;
 };
 
-/// Where a picture of width x height pixels shows the domain: everywhere if it is stretched, or if its own
-/// aspect leaves no more than a pixel.
+/// Returns the frame of the domain in a picture of width x height pixels. It is the whole picture if the
+/// domain is stretched, or if its own aspect would leave at most one pixel.
 PictureFrame frameOf(const Box& domain, int width, int height, Fit fit);
 
-/// A dot of a site, in pixels.
+/// Size of a site's dot, in pixels.
 struct DotSize {
   double radius = 0;
-  double rim = 0;  ///< the width of a dark one inside; 0: there is none
+  double rim = 0;  ///< width of a dark inner rim; 0: none
 };
 
-/// The dots of a picture whose frame is so wide and high. `size` is RenderOptions::dot_size;
-/// if that is 0, they are about a quarter of `spacing` across: the square root of the median of how many
-/// pixels the cells of sites that show have.
+/// Returns the dot size for a picture whose frame has this width and height. `size` is
+/// RenderOptions::dot_size. If that is 0, dots are about a quarter of `spacing` across. `spacing` is the
+/// square root of the median number of pixels in the cells of visible sites.
 DotSize dotSizeOf(double size, double spacing, PictureSize picture);
 
-/// The options of the same cells as data, with Detail::measures.
+/// Returns the options that compute the same cells as data, with Detail::measures.
 CellsOptions cellsOptions(const RenderOptions& picture);
 
 std::vector<std::string> colormaps();
@@ -141,32 +143,33 @@ struct Rendering {
   Image image;
   std::vector<Status> status;        ///< by site, in input order
   std::vector<std::uint32_t> owner;  ///< the site that owns the cell: itself unless a duplicate
-  std::optional<ColorKey> key;       ///< what colors stand for; none by site
+  std::optional<ColorKey> key;       ///< meaning of the colors; none with ColorBy::site
   Report report;
 };
 
-/// How one pixel of two id images compares.
+/// Result of comparing one pixel of two id images.
 enum class PixelMatch : std::uint8_t { equal, tie, wrong };
 
-/// A pixel whose center is at most this far, in pixels, from the bisector of two sites may go to
-/// either: backends snap vertices to 1/256 pixel, and draw cells widened by half of that.
+/// A pixel whose center is at most this far, in pixels, from the bisector of two sites may belong to either:
+/// backends snap vertices to 1/256 pixel, and draw cells widened by half of that.
 inline constexpr double tie_distance = 1.0 / 128;
 
 /// One pixel that two id images give to different sites.
 struct IdDifference {
   int row = 0, column = 0;
   std::uint32_t a = no_site, b = no_site;
-  double distance = 0;  ///< of the pixel's center to the bisector of a and b in pixels; infinite without one
+  double distance =
+      0;  ///< from the pixel's center to the bisector of a and b, in pixels; infinite without one
 };
 
 struct IdDiff {
   std::uint64_t equal = 0, ties = 0, wrong = 0;
-  std::uint64_t ties_allowed = 0;   ///< the cell boundaries' length in pixel sides, frame included
+  std::uint64_t ties_allowed = 0;   ///< length of the cell boundaries in pixel sides, frame included
   double widest_tie = 0;            ///< largest distance of a tie
   std::vector<IdDifference> first;  ///< the first 10 wrong pixels in reading order
   IdDifference worst;               ///< the wrong pixel farthest from the bisector; meaningless if wrong is 0
   std::vector<PixelMatch> pixels;
-  /// True when rounding explains every difference.
+  /// Whether rounding explains every difference.
   [[nodiscard]] bool agree() const { return wrong == 0 && ties <= ties_allowed; }
 };
 
@@ -175,25 +178,25 @@ IdDiff diffIds(std::span<const std::uint32_t> a, std::span<const std::uint32_t> 
 
 /// Compares two id images of the same sites and domain, laid out as Image::ids.
 ///
-/// A differing pixel is a tie when its center lies within tie_distance of the bisector of its two
-/// sites, and a cell ends at one of its four sides in one of the images; else it is wrong, as it is
-/// when an id names no site or both sites have one position (the lower index owns that cell). This
-/// misses no legal difference: a center that is within the distance of both drawn cells lies on one
-/// side of their bisector, and the cell on the other side is no nearer than the bisector itself.
+/// A differing pixel is a tie if its center lies within tie_distance of the bisector of its two sites, and a
+/// cell ends at one of its four sides in one of the images. Else it is wrong. It is also wrong if an id names
+/// no site or both sites have one position (the lower index owns that cell). This misses no legal difference:
+/// a center within the distance of both drawn cells lies on one side of their bisector. The cell on the other
+/// side is no nearer than the bisector itself.
 ///
-/// Ties are also counted against the length of the cell boundaries, the image's frame among them,
-/// in the image that has less of it: a row of pixel centers that lies on a boundary (as a lattice
-/// may have it everywhere) is one tie for each pixel side of that boundary, and nothing legal is more.
+/// The number of ties is also limited by the length of the cell boundaries, frame included, in the image
+/// where it is shorter. If a row of pixel centers lies on a boundary (on a lattice, all may), it gives one
+/// tie for each pixel side of that boundary; no legal case gives more.
 ///
-/// In a periodic domain the bisector is that of the images nearest to the center. Where the domain does not
-/// fill the pictures, as `fit` says, a difference beside it is wrong.
+/// In a periodic domain the bisector is that of the images nearest to the center. If the domain does not fill
+/// the pictures because of `fit`, a difference outside it is wrong.
 ///
 /// Errors (input): no valid domain; those of wrapped().
 Result<IdDiff> diffIds(std::span<const std::uint32_t> a, std::span<const std::uint32_t> b, int width,
                        int height, const Sites& sites, const Box& domain, Periodic periodic = Periodic::none,
                        Fit fit = Fit::stretch);
 
-/// The same for pictures that these options draw: of their size, domain, period, fit and view.
+/// The same for pictures drawn with these options, which give their size, domain, period, fit and view.
 ///
 /// Errors (input): the same; a view that checkView() refuses.
 Result<IdDiff> diffIds(std::span<const std::uint32_t> a, std::span<const std::uint32_t> b, const Sites& sites,
@@ -212,8 +215,8 @@ struct ImageDiff {
 ImageDiff diffImages(std::span<const std::uint32_t> a, std::span<const std::uint32_t> b, int width,
                      int height);
 
-/// The same for a picture: statuses and owners, no uncovered pixel, and the nearest site of each pixel
-/// in double (of 4 million sampled pixels in larger pictures).
+/// The same as the other check(), for a picture: statuses and owners, no uncovered pixel, and the nearest
+/// site of each pixel in double (of 4 million sampled pixels in larger pictures).
 Result<std::vector<std::string>> check(const Sites& sites, const RenderOptions& options,
                                        const Rendering& rendering, int threads = 0);
 

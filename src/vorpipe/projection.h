@@ -1,4 +1,4 @@
-/// The Earth as a plane, where areas are right.
+/// An equal-area projection of the Earth to a plane.
 #pragma once
 
 #include "vorpipe/cells.h"
@@ -12,20 +12,21 @@ namespace vorpipe {
 /// Areas are those on the ellipsoid; distances are true near the center.
 class Projection {
  public:
-  /// Error (input): the center is no place on the Earth.
+  /// Projection around a center. Error (input): the center is not a place on the Earth.
   static Result<Projection> around(Point degrees);
 
   [[nodiscard]] Point center() const { return center_; }
-  /// A place to the plane: its longitude in any turn, its latitude from -90 to 90.
+  /// Projects a place to the plane. Its longitude may be of any turn; its latitude is from -90 to 90.
   [[nodiscard]] Point toPlane(Point degrees) const;
-  /// Back; longitudes within 180 degrees of the center's. A place beyond the Earth's edge has none: NaN.
+  /// The inverse; longitudes are within 180 degrees of the center's. Returns NaN for a place beyond the
+  /// Earth's edge.
   [[nodiscard]] Point toDegrees(Point kilometers) const;
 
  private:
   Projection() = default;
   Point center_{};                ///< degrees
   double sine_ = 0, cosine_ = 0;  ///< of its authalic latitude
-  double stretch_ = 1;            ///< what makes scale true at the center
+  double stretch_ = 1;            ///< factor that makes the scale true at the center
 };
 
 }  // namespace vorpipe

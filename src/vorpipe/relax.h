@@ -1,4 +1,4 @@
-/// Relaxation: sites that move until each is the centroid of its cell (a centroidal Voronoi diagram).
+/// Relaxation: moves sites until each is the centroid of its cell (a centroidal Voronoi diagram).
 #pragma once
 
 #include <cstdint>
@@ -24,29 +24,29 @@ struct RelaxOptions {
   Box domain;
   Outline outline{};
   Periodic periodic = Periodic::none;
-  Density density{};  ///< over the domain: sites gather where it is high
-  /// Relaxes under the square of the density, so that cells get equal masses of it; with the last
-  /// few diagrams sites move as little as makes masses equal (to 1 %, where that can be reached).
+  Density density{};  ///< over the domain; sites concentrate where it is high
+  /// Relaxes under the square of the density, so that cells get equal masses of it. In the last few diagrams
+  /// sites move as little as equal masses require (to 1 %, where reachable).
   bool equal_masses = false;
   SearchOptions search;
   RelaxMethod method = RelaxMethod::lbfgs;
-  std::uint64_t iterations = 50;  ///< most diagrams that are computed after the first
-  double tolerance = 0;           ///< ends when no site would move by this part of the spacing; 0: never
+  std::uint64_t iterations = 50;  ///< maximum number of diagrams after the first
+  double tolerance = 0;           ///< ends when no site would move by this fraction of the spacing; 0: never
   Progress progress;              ///< may be empty
 };
 
-/// One diagram of a relaxation; number 0 is that of the sites as they came.
+/// One diagram of a relaxation; number 0 is that of the initial sites.
 struct RelaxStep {
   std::uint64_t diagram = 0;
   double energy = 0;  ///< sum over cells of the integral of |x - p|^2, less weight times mass
   double hexagonal =
       0;  ///< energy over that of the hexagonal lattice of as many cells (Gersho's with a density)
-  double farthest = 0;  ///< largest distance of a site to its centroid, in spacings: sqrt(area / sites)
+  double farthest = 0;  ///< largest distance from a site to its centroid, in spacings: sqrt(area / sites)
   double seconds = 0;   ///< since the relaxation began
-  bool taken = true;    ///< false: the energy was too high, and the sites went back to where they were before
+  bool taken = true;  ///< false: the energy was too high, and the sites returned to their previous positions
 };
 
-/// The diagram of the sites as a trace leaves them: its last one that was taken.
+/// The diagram of a trace's final sites: the last one that was taken.
 const RelaxStep& lastTaken(const std::vector<RelaxStep>& trace);
 
 /// Why a relaxation ended.
@@ -61,14 +61,14 @@ class Relaxation {
   Relaxation& operator=(Relaxation&&) noexcept;
   ~Relaxation();
 
-  /// Moves the sites until the next diagram stands; one accelerated step may take several. Whether there is
-  /// more to do; the sites stay as they are where there is not. Errors: those of Session::cells.
+  /// Moves the sites until the next diagram is computed; an accelerated step may compute several. Returns
+  /// whether more remains to be done; if not, the sites stay as they are. Errors: those of Session::cells.
   Result<bool> step();
 
   [[nodiscard]] const Sites& sites() const;  ///< in input order; duplicates and empty sites stay
   [[nodiscard]] const std::vector<RelaxStep>& trace() const;  ///< one entry for each diagram
-  [[nodiscard]] RelaxEnd end() const;          ///< after step() said that there is no more to do
-  [[nodiscard]] const Report& report() const;  ///< of the last diagram
+  [[nodiscard]] RelaxEnd end() const;                         ///< valid after step() returned false
+  [[nodiscard]] const Report& report() const;                 ///< of the last diagram
 
  private:
   Relaxation();
@@ -83,11 +83,11 @@ struct Relaxed {
   Report report;
 };
 
-/// Called after each step with the sites as they are; returning false ends the relaxation with them.
+/// Called after each step with the relaxation; returning false ends it with its present sites.
 using RelaxWatcher = std::function<bool(const Relaxation&)>;
 
-/// Steps until nothing is left to do. Where progress or the watcher says stop, the sites of the last step are
-/// the result, and `end` says so. Errors: those of Session::cells.
+/// Steps until nothing remains to be done. If progress or the watcher stops it, the sites of the last step
+/// are the result, and `end` records that. Errors: those of Session::cells.
 Result<Relaxed> relax(Session& session, Sites sites, const RelaxOptions& options,
                       const RelaxWatcher& watcher = {});
 

@@ -1,4 +1,4 @@
-/// How functions fail.
+/// How functions report errors.
 #pragma once
 
 #include <cstdint>
@@ -18,18 +18,19 @@ enum class ErrorCode : std::uint8_t {
   cancelled,  ///< the caller's Progress asked to stop
 };
 
-/// What of the input an error is about.
+/// The part of the input that an error concerns.
 enum class Subject : std::uint8_t { none, sites, weights, domain, outline, period, density, search, masses };
 
-/// Its name, as messages begin that do not name it otherwise: "outline", as in "outline: it crosses itself".
+/// Its name, as the prefix of messages that do not name it otherwise: "outline", as in "outline: it crosses
+/// itself".
 std::string_view nameOf(Subject subject);
 
 /// What went wrong outside the program: one line that names the thing, the place and what to do.
 struct Error {
   ErrorCode code;
   std::string message;
-  bool out_of_memory{};  ///< of a device: less at a time may fit into its memory
-  Subject subject{};     ///< of an input
+  bool out_of_memory{};  ///< device error: smaller parts may fit into its memory
+  Subject subject{};     ///< input error: its subject
 };
 
 template <class T>

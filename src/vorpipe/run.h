@@ -9,7 +9,7 @@
 
 namespace vorpipe {
 
-/// What became of a site.
+/// Outcome for a site.
 enum class Status : std::uint8_t {
   ok,         ///< it has a cell inside the domain, certified
   empty,      ///< certified: no part of the domain is nearest to it; it lies outside, or others hide it
@@ -46,21 +46,21 @@ struct PipelineTime {
 struct Report {
   std::string backend, device, driver;
   std::uint64_t ok = 0, empty = 0, duplicate = 0;  ///< sites with that Status
-  /// Of sites with different weights: how many are not nearest to any place in the domain's box, because
-  /// others hide them there. They are among the empty; the others are what an outline leaves nothing of.
+  /// With different weights: number of sites that are nearest to no place in the domain's box, because others
+  /// hide them. They count as empty, too; the outline removes the cells of the other empty sites.
   std::uint64_t hidden = 0;
-  /// How often cells were asked for again: of the device with more neighbors or more room, in double on the
-  /// host, in exact arithmetic. A cell may be asked for several times, and images of a periodic domain have
+  /// Number of times that cells were recomputed: on the device with more neighbors or more room; in double on
+  /// the host; in exact arithmetic. A cell may count several times, and images of a periodic domain have
   /// cells of their own.
   std::uint64_t retried = 0, in_double = 0, exact = 0;
-  /// Pixels that no cell of the device covered, and that got their nearest site in double.
+  /// Pixels that no cell of the device covered; they got their nearest site in double.
   std::uint64_t pixels = 0;
   Times time_ms;
-  std::vector<PipelineTime> pipelines;  ///< that this run was the first to need, in the order of their making
-  /// What did not go as it began, a line each: a device refused memory and got less at a time, or failed, and
-  /// the next one took over. `backend` and `device` are those that the result is from.
+  std::vector<PipelineTime> pipelines;  ///< those that this run was the first to need, in order of creation
+  /// Changes during the run, one line each: a device refused memory and got smaller parts; or it failed, and
+  /// the next one took over. `backend` and `device` are those that produced the result.
   std::vector<std::string> notes;
-  std::vector<std::string> validation_messages;  ///< empty unless validation was on and spoke
+  std::vector<std::string> validation_messages;  ///< empty unless validation was on and reported something
 };
 
 }  // namespace vorpipe

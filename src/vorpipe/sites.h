@@ -21,14 +21,14 @@ struct Point {
   friend bool operator==(const Point&, const Point&) = default;
 };
 
-/// The least box around points, of which there is at least one.
+/// The smallest box around at least one point.
 Box boxOf(std::span<const Point> points);
 
 struct Sites;
 
-/// The domain that sites have where none is named: the box of at least one site, grown on every side by 5 %
-/// of its longer side, or by 0.5 where all sites are equal; by more where so little would vanish beside the
-/// coordinates. It is not finite where the sites reach too far.
+/// The default domain of sites: the box of at least one site, grown on every side by 5 % of its longer side,
+/// or by 0.5 if all sites are equal. It grows more where that would vanish beside the coordinates. It is not
+/// finite if the sites extend too far.
 Box domainOf(const Sites& sites);
 
 /// A domain of any shape: polygons with holes, none of which cross or overlap. Ring r has the points
@@ -44,40 +44,39 @@ struct Outline {
 /// The axes along which the domain repeats itself.
 enum class Periodic : std::uint8_t { none, x, y, xy };
 
-/// A density, constant in each pixel; laid out as Image. Finite, and not negative.
+/// A density, constant in each pixel; laid out as Image. Finite and nonnegative.
 struct Density {
   int width = 0, height = 0;
   std::vector<double> values;  ///< mass per unit of area; empty: there is no density
-  /// Where the pixels lie; beyond it the density is 0, and the domain does not repeat itself. None: they
+  /// The box of the pixels; beyond it the density is 0, and it does not repeat with the domain. None: they
   /// cover the domain.
   std::optional<Box> box{};
 };
 
-/// Sites in the caller's order. `weight` is empty or as long as x and y. The cell of site i is where
-/// |x - p_i|^2 - w_i is least (a power diagram; also Laguerre, radical or weighted Voronoi diagram). Adding
-/// a number to all weights changes nothing; with equal weights it is the Voronoi diagram.
+/// Sites in the caller's order. `weight` is empty or as long as x and y. The cell of site i is where |x -
+/// p_i|^2 - w_i is least (a power diagram; also Laguerre, radical or weighted Voronoi diagram). Adding a
+/// constant to all weights changes nothing; with equal weights it is the Voronoi diagram.
 struct Sites {
   std::vector<double> x, y, weight;
   [[nodiscard]] std::size_t size() const { return x.size(); }
 };
 
-/// Stands where a place has no site.
+/// Marks a place that has no site.
 inline constexpr std::uint32_t no_site = 0xFFFFFFFFu;
 
-/// The sites as a periodic domain takes them. Along the axes that repeat, a site beyond the domain is moved
-/// into it, by whole periods, and coordinates are rounded to some 2^-52 of the domain's side or of its
-/// largest coordinate, if that is larger: then images are exact copies. Sites that are now equal, modulo the
-/// period, are duplicates. Errors (input): no valid domain, no sites or not finite ones; a site more than
-/// 2^50 periods away.
+/// Returns the sites as a periodic domain uses them. Along the axes that repeat, a site beyond the domain is
+/// moved into it by whole periods. Coordinates are rounded to about 2^-52 of the domain's side, or of its
+/// largest coordinate if that is larger: then images are exact copies. Sites that are now equal, modulo the
+/// period, are duplicates. Errors (input): no valid domain, no sites or sites that are not finite; a site
+/// more than 2^50 periods away.
 Result<Sites> wrapped(const Sites& sites, const Box& domain, Periodic periodic, int threads = 0);
 
 /// What images of sites are needed for: pictures of the domain, or whole cells, which reach beyond it.
 enum class ImagesFor : std::uint8_t { pictures, cells };
 
-/// How many sites and images together the cells of a domain are found among, to tell how much memory that
-/// takes: one and a little for each of many even sites, up to nine for each of a few, or of very uneven ones.
-/// If the first choice of images for cells turns out to be too small, more are taken. Errors: those of
-/// wrapped().
+/// Number of sites and images together that the cells of a domain are computed from, for forecasts of memory.
+/// It is slightly more than one per site for many even sites, and up to nine for few or very uneven ones. If
+/// the first choice of images for cells turns out too small, more are added. Errors: those of wrapped().
 Result<std::uint64_t> sitesAndImages(const Sites& sites, const Box& domain, Periodic periodic,
                                      ImagesFor purpose, int threads = 0);
 
@@ -91,12 +90,12 @@ enum class Pattern : std::uint8_t {
   circle,    ///< evenly spaced on a circle of radius 0.4 about the center
 };
 
-/// Returns about n sites of a pattern (exactly n but for `square` and `hex`), n >= 1.
-/// Sites of the patterns without randomness do not depend on seed.
+/// Returns about n sites of a pattern (exactly n except for `square` and `hex`), n >= 1. Sites of the
+/// patterns without randomness do not depend on seed.
 Sites generate(Pattern pattern, std::uint64_t n, std::uint64_t seed);
 
-/// Sites of the unit square, on the least square around a box with the same center: a pattern keeps its
-/// shape.
+/// Maps sites from the unit square to the smallest square around a box with the same center: a pattern keeps
+/// its shape.
 Sites spreadOver(const Box& box, Sites sites);
 
 }  // namespace vorpipe

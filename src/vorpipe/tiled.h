@@ -1,4 +1,4 @@
-/// Areas, centroids and numbers of neighbors of more cells than there is memory for at once, tile by tile.
+/// Areas, centroids and numbers of neighbors, tile by tile, for more cells than fit into memory at once.
 #pragma once
 
 #include <cstddef>
@@ -15,8 +15,8 @@ namespace vorpipe {
 
 class Session;
 
-/// Numbers that stay where they are, in the caller's memory or in a mapped file, `stride` bytes apart and
-/// aligned in no way.
+/// Numbers read in place, from the caller's memory or a mapped file, `stride` bytes apart, without any
+/// alignment.
 struct NumbersInPlace {
   const std::byte* first = nullptr;
   std::size_t stride = sizeof(double);
@@ -37,53 +37,55 @@ struct NumbersInPlace {
   }
 };
 
-/// Sites without weights that are read and not copied.
+/// Sites without weights, read in place instead of copied.
 struct SitesInPlace {
   NumbersInPlace x, y;
   std::uint64_t count = 0;
 };
 
-/// Those of arrays, which outlive it.
+/// The sites of arrays, which outlive the result.
 SitesInPlace sitesInPlace(const Sites& sites);
 
 struct TiledOptions {
   Box domain;
   SearchOptions search{};
-  /// Sites of a tile, with those around it: how many there should be, and at most. Where more than `most` are
-  /// crowded together, that is an error.
+  /// Number of sites of a tile, with those around it: the usual number, and the maximum. If more than `most`
+  /// are crowded together, that is an error.
   std::uint64_t usual = std::uint64_t{1} << 20, most = ~std::uint64_t{0};
   Progress progress{};
 };
 
-/// What is known of a cell without its edges; as CellRecord and Diagram have it.
+/// The measures of a cell without its edges; as in CellRecord and Diagram.
 struct CellMeasures {
   double area;
   Point centroid;
-  std::uint32_t neighbors;  ///< how many, walls among them
+  std::uint32_t neighbors;  ///< their number, walls included
   Status status;
 };
 
-/// Gets the cells of some sites, each site once in all. An error ends the run.
+/// Receives the cells of some sites; over all calls, each site once. An error ends the run.
 using CellsSink =
     std::function<Result<void>(std::span<const std::uint32_t> sites, std::span<const CellMeasures> measures)>;
 
 struct TiledReport {
   Report report;
-  std::uint64_t tiles = 0;    ///< that the sites were cut into
-  std::uint64_t largest = 0;  ///< sites of the largest, with those around it
-  std::uint64_t open = 0;     ///< cells that reached beyond what is around their tile, and were found apart
-  double area_sum = 0;        ///< of all cells, without what adding up would round off
+  std::uint64_t tiles = 0;    ///< number of tiles
+  std::uint64_t largest = 0;  ///< number of sites of the largest tile, with those around it
+  std::uint64_t open =
+      0;  ///< cells that reached beyond the surroundings of their tile, and were computed separately
+  double area_sum = 0;  ///< of all cells, without the rounding error of summation
 };
 
-/// Measures the cells of sites that stay where they are. Beside them it takes 4 bytes for each site, and what
-/// Session::cells takes for those of a tile. Every cell is certified, and the same to the last bit as those
-/// of Session::cells, whatever the tiles.
+/// Measures the cells of sites read in place. Beside the sites it takes 4 bytes for each, and the memory of
+/// Session::cells for the sites of a tile. Every cell is certified, and equal to that of Session::cells to
+/// the last bit, whatever the tiles.
 class CellsInTiles {
  public:
   /// The session outlives this.
   CellsInTiles(Session& session, TiledOptions options);
 
-  /// Errors: as Session::cells'; those of the sink; more sites in one place than a tile may have (input).
+  /// Errors: those of Session::cells; those of the sink; more sites in one place than a tile may have
+  /// (input).
   Result<TiledReport> measure(const SitesInPlace& sites, const CellsSink& sink);
 
  private:

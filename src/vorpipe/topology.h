@@ -1,4 +1,4 @@
-/// What the polygons of a Diagram share: vertices, and edges between two cells.
+/// Shared parts of the polygons of a Diagram: vertices, and edges between two cells.
 #pragma once
 
 #include <array>
@@ -14,36 +14,37 @@
 
 namespace vorpipe {
 
-/// Some points without repetitions.
+/// A list of points without repetitions.
 struct DistinctPoints {
   std::vector<Point> points;            ///< in the order in which they first occur
   std::vector<std::uint32_t> index_of;  ///< by given point
 };
 
-/// Joins points whose coordinates are equal; none is moved. Error (input): there are more than 2^32 - 2.
+/// Merges points with equal coordinates; moves none. Error (input): there are more than 2^32 - 2.
 Result<DistinctPoints> distinctPoints(std::span<const Point> points);
 
 /// The vertices and edges of a Diagram, each once. An *entry* is an index into Diagram::vertices and into the
 /// arrays that are as long as that: vertex k of a cell, its edge k, and the neighbor across that.
 ///
-/// A vertex is a position: cells have its coordinates to the last bit. In a periodic domain it stands for all
-/// of its copies as well, which are a vertex of each other by the edges that have them as ends. A tie is one
-/// vertex, at which more than three cells meet. Rings of an outline that touch in a point share it. Where
-/// coordinates are too coarse for a cell, its vertices may be one, and edges may begin and end there.
+/// A vertex is a position: its coordinates equal those in the cells to the last bit. In a periodic domain it
+/// also stands for all of its copies: vertices are copies of each other if edges that have them as ends are.
+/// A tie is one vertex, at which more than three cells meet. Rings of an outline that touch in a point share
+/// it. If coordinates are too coarse for a cell, its vertices may coincide, and edges may begin and end at
+/// the same one.
 struct Topology {
-  std::vector<Point> vertices;           ///< in the order of entries; of copies the first one's place
+  std::vector<Point> vertices;           ///< in the order of entries; at the position of the first copy
   std::vector<std::uint32_t> vertex_of;  ///< by entry
 
-  /// By edge, in the order of entries: where the first of its cells has it.
+  /// By edge, in the order of entries: its entry in the first of its cells.
   std::vector<std::uint64_t> edge_entry;
-  /// Where it begins and ends, counter-clockwise around the first of its cells; clockwise around a hole.
+  /// Its first and last vertex, counter-clockwise around the first of its cells; clockwise around a hole.
   std::vector<std::array<std::uint32_t, 2>> edge_vertices;
-  /// The cells on its left and right: the first is a site; the second one of a higher index, a wall, or in a
-  /// periodic domain the site itself. Along an outline two cells may have several edges in common.
+  /// The cells on its left and right. The first is a site; the second is a site of higher index, a wall, or
+  /// in a periodic domain the first site itself. Along an outline two cells may share several edges.
   std::vector<std::array<std::int64_t, 2>> edge_cells;
   std::vector<std::uint32_t> edge_of;  ///< by entry
 
-  /// Whether an edge is a part of the domain's border, or of its outline.
+  /// Whether an edge is part of the domain's border or of its outline.
   [[nodiscard]] bool isBoundary(std::size_t edge) const { return isWall(edge_cells[edge][1]); }
 
   /// The vertices and the edges of a cell of the same diagram, in the cell's order.
@@ -55,8 +56,8 @@ struct Topology {
   }
 };
 
-/// Finds what the cells share. Errors (input): the diagram has neighbors but no vertices, as with
-/// Detail::measures; it has more than 2^32 - 2 entries; two cells do not have the same edges with each other.
+/// Finds the shared vertices and edges. Errors (input): the diagram has neighbors but no vertices, as with
+/// Detail::measures; it has more than 2^32 - 2 entries; two cells disagree about their common edges.
 Result<Topology> topologyOf(const Diagram& diagram, int threads = 0);
 
 }  // namespace vorpipe

@@ -1,4 +1,4 @@
-/// The walls that cells end at, where they have no neighbor.
+/// The walls that bound cells where they have no neighbor.
 #pragma once
 
 #include <cstdint>
@@ -6,11 +6,11 @@
 
 namespace vorpipe {
 
-/// The sides of the domain, and its outline. A wall stands among neighbors as its number; sites are not
-/// negative.
+/// The sides of the domain, and its outline. Lists of neighbors contain a wall as its number; sites are
+/// nonnegative.
 enum class Wall : std::int64_t { xmin = -1, xmax = -2, ymin = -3, ymax = -4, outline = -5 };
 
-/// Whether a neighbor is a wall, static_cast<Wall>(neighbor), and no site.
+/// Whether a neighbor is a wall, static_cast<Wall>(neighbor), and not a site.
 constexpr bool isWall(std::int64_t neighbor) { return neighbor < 0; }
 
 /// Its name: "xmin", "outline".
@@ -30,7 +30,7 @@ constexpr std::string_view nameOf(Wall wall) {
   return "outline";
 }
 
-/// The same as they stand in lists with sites.
+/// The same numbers, as they appear in lists with sites.
 inline constexpr auto wall_xmin = static_cast<std::int64_t>(Wall::xmin),
                       wall_xmax = static_cast<std::int64_t>(Wall::xmax),
                       wall_ymin = static_cast<std::int64_t>(Wall::ymin),

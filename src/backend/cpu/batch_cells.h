@@ -1,17 +1,17 @@
-/// Lists of lines clipped by the shared algorithm on all threads.
+/// Clips lists of lines with the shared algorithm on all threads.
 #pragma once
 
 #include "backend/backend.h"
 
 namespace vorpipe::cpu {
 
-/// Clips each entry in float, widened by outset (scaled units along x and y), and writes what
-/// became of it. The statuses are those that a GPU would return.
+/// Clips each entry in float, widened by outset (scaled units along x and y), and writes its status. The
+/// statuses are those that a GPU would return.
 void clipStatuses(const CellBatch<float>& batch, float outset_x, float outset_y, Effort effort, int threads,
                   std::span<CellStatus> status);
 
 /// Clips each entry in double, with room for as many edges as the entry has lines, up to 2^17 in all.
-/// `certified` tells of the shape: of lines that are parallel within rounding, any may carry an edge.
+/// `certified` refers to the shape: among lines that are parallel within rounding, any may carry an edge.
 void clipBatch(const CellBatch<double>& batch, int threads, CellNeighbors& out);
 
 }  // namespace vorpipe::cpu

@@ -20,9 +20,9 @@ struct Clipper {
   const HalfPlane<Real>* lines = nullptr;
   const SiteSet* sites = nullptr;
   double site_x = 0, site_y = 0;  ///< the site whose cell is clipped
-  int used_edges = MAX_EDGES;     ///< a multiple of 4; heeded where Room is large
+  int used_edges = MAX_EDGES;     ///< a multiple of 4; used only if Room is large
 
-  /// The end of loops over the slots: where there are few, a constant.
+  /// Returns the end of loops over the slots; a constant if there are few.
   [[nodiscard]] int edgeEnd() const {
     if constexpr (Room > 64) return used_edges;
     return MAX_EDGES;

@@ -1,4 +1,4 @@
-/// What the search for a cell asks of numbers, for double-double.
+/// What the search for a cell needs of a number type, for double-double.
 #pragma once
 
 #include "backend/cpu/glsl.h"

@@ -1,4 +1,4 @@
-/// The one exact tier that there is: cells over a tree, pixels by another.
+/// The only exact tier: finds cells with one tree, pixels with another.
 #pragma once
 
 #include <memory>
@@ -10,7 +10,7 @@ namespace vorpipe {
 /// `threads`: 0 for all processors.
 std::unique_ptr<ExactTier> makeExactTier(int threads);
 
-/// The same for places one by one. `sites` outlive it.
+/// The same for places one by one. `sites` must outlive it.
 std::unique_ptr<PlaceSearch> makePlaceSearch(const SiteSet& sites, int threads);
 
 }  // namespace vorpipe

@@ -4,7 +4,7 @@
 
 namespace vorpipe::cpu {
 
-// grid_lanes.cpp, as CMakeLists.txt compiles it.
+// Compiled from grid_lanes.cpp; see CMakeLists.txt.
 void findIn4Lanes(const LaneJob& job, bool roomy);
 void findWeightedIn4Lanes(const LaneJob& job, bool roomy);
 #ifdef VORPIPE_WIDE_LANES
@@ -15,13 +15,14 @@ void findWeightedIn16Lanes(const LaneJob& job, bool roomy);
 
 namespace {
 
-/// Tests compare on one machine what different widths compute: VORPIPE_LANES is the widest to take.
+/// Returns the largest width to use, from VORPIPE_LANES: tests compare the results of different widths on one
+/// machine.
 int widestWanted() {
   const char* const text = std::getenv("VORPIPE_LANES");
   return text == nullptr ? 16 : std::atoi(text);
 }
 
-/// Whether the processor has what x86-64-v4 has, of which some compilers know the parts alone.
+/// Whether the processor supports x86-64-v4; some compilers can only query its parts.
 bool hasAvx512() {
   return __builtin_cpu_supports("avx2") != 0 && __builtin_cpu_supports("bmi2") != 0 &&
          __builtin_cpu_supports("fma") != 0 && __builtin_cpu_supports("avx512f") != 0 &&

@@ -1,5 +1,5 @@
-/// The words of shaders/glsl as C++ with GLM understands them: the twin of vocabulary.glsl.
-/// A struct that includes cell.glsl defines `real`, MAX_EDGES and the accessors itself.
+/// The vocabulary of shaders/glsl in C++ with GLM: the counterpart of vocabulary.glsl. A struct that includes
+/// cell.glsl defines `real`, MAX_EDGES and the accessors itself.
 #pragma once
 
 #include <glm/vec2.hpp>
@@ -30,7 +30,7 @@ using std::max;
 using std::min;
 using std::sqrt;
 
-/// What a type of numbers is like; see cell.glsl for the words.
+/// Properties of a number type; see cell.glsl for the terms.
 template <class Real>
 struct Number;
 
@@ -59,7 +59,7 @@ Real greaterWhere(const Real& sign, const Real& a, const Real& b) {
   return sign > Real(0) && a > b ? a : b;
 }
 
-/// GLM's vectors hold plain numbers alone.
+/// For other number types: GLM's vectors hold only plain numbers.
 template <class Real>
 struct Pair {
   Real x, y;

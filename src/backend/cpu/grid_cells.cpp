@@ -57,7 +57,7 @@ void findOnGrid(const SiteSet& sites, std::span<const std::uint32_t> which, Effo
   const auto room = edges + (weighted ? 1 : 0);
   const auto find = findInLanes(weighted);
   const auto count = which.size();
-  // Written before it is read: a vector would fill it first.
+  // Not a vector, which would fill it first: it is written before it is read.
   const auto neighbors = std::make_unique_for_overwrite<std::int32_t[]>(count * room);
   const auto counts = std::make_unique_for_overwrite<std::uint8_t[]>(count);
   out.status.resize(count);

@@ -11,8 +11,8 @@ namespace vorpipe::cpu {
 void findOnGrid(const SiteSet& sites, std::span<const std::uint32_t> which, Effort effort, int threads,
                 CellNeighbors& out);
 
-/// Finds the cells of the sites `which`, widened by outset (scaled units along x and y), and writes what
-/// became of each.
+/// Finds the cells of the sites `which`, widened by outset (scaled units along x and y), and writes the
+/// status of each.
 void statusesOnGrid(const SiteSet& sites, std::span<const std::uint32_t> which, Effort effort, float outset_x,
                     float outset_y, int threads, std::span<CellStatus> status);
 

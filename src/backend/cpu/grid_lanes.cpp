@@ -8,7 +8,7 @@ namespace vorpipe::cpu {
 namespace {
 namespace lanes {
 
-/// Cells side by side, and how far the search for each is. Which cells: as index in the job.
+/// Cells in lanes, and the state of the search for each. Cells are given as index in the job.
 template <int Edges>
 struct Searched {
   using Cells = Clip<Many, Edges>;
@@ -18,7 +18,7 @@ struct Searched {
   typename Cells::Cell cell{};
   typename Cells::Search search{};
 
-  /// Takes over a cell from a lane of others.
+  /// Takes over a cell from a lane of `from`.
   void add(const Searched& from, std::size_t lane) {
     which[count] = from.which[lane];
     for (std::size_t k = 0; k < Edges; ++k) {
@@ -60,8 +60,8 @@ class LaneFinder {
 #endif
   }
 
-  /// Cuts cells of the job, at most as many as there are lanes, by the block around each. Those that have to
-  /// look beyond it, on as many sides, wait until there is one for each lane.
+  /// Cuts cells of the job, at most one per lane, by the block of bins around each. Cells that must look
+  /// beyond their block wait until there is one for each lane, grouped by the number of such sides.
   void find(const std::uint32_t* cells, std::size_t count) {
     for (std::size_t l = 0; l < width; ++l) near_.which[l] = cells[l < count ? l : 0];
     near_.count = count;
@@ -87,7 +87,7 @@ class LaneFinder {
 
  private:
   using Cells = Clip<Many, Edges>;
-  /// Cells that look beyond more sides are few, and wait with those of this many.
+  /// Cells that look beyond more sides are rare, and wait with those of this many.
   static constexpr int most_sides = 3;
 
   void finish(Searched<Edges>& far) {
@@ -110,7 +110,7 @@ class LaneFinder {
     far.count = 0;
   }
 
-  /// For each cell, beyond how many sides of its block sites may be that can cut it.
+  /// Returns for each cell the number of sides of its block beyond which sites may be that can cut it.
   Ints sidesBeyond(const typename Cells::Bins& bins, const typename Cells::Search& search) {
     const auto range = clip_.binsOf(bins, search.box);
     return -((range.west < search.column - 1) + (range.east > search.column + 1) +
@@ -125,7 +125,7 @@ class LaneFinder {
   static constexpr std::size_t room = Edges;
 #endif
 
-  /// By lane: the cell's site, and what it is clipped with, as seen from the origin of the cell.
+  /// By lane: the cell's site, and the data it is clipped with, relative to the origin of the cell.
   struct Surroundings {
     Ints self;
     typename Cells::Bins bins;
@@ -151,7 +151,7 @@ class LaneFinder {
     return around;
   }
 
-  /// A box as seen from the origins of the cells.
+  /// Returns a box relative to the origins of the cells.
   static vec4 boxFrom(const double (&box)[4], const Doubles& x, const Doubles& y) {
     return {toReals(box[0] - x), toReals(box[1] - y), toReals(box[2] - x), toReals(box[3] - y)};
   }
@@ -210,7 +210,7 @@ class LaneFinder {
   const LaneJob& job_;
   Cells clip_;
   Searched<Edges> near_;
-  Searched<Edges> far_[most_sides];  ///< by on how many sides they look beyond
+  Searched<Edges> far_[most_sides];  ///< by the number of sides beyond which they look
 };
 
 template <int Edges>

@@ -17,16 +17,16 @@ constexpr std::size_t grid_pixels_grain = 4096;
 constexpr std::uint32_t most_sites = 160, most_rows = 24;
 /// What rounding may put between a site and its bin, of the distance to it and of the grid.
 constexpr double slack = 1 + 1e-9;
-/// Where pixels are smaller than this part of a bin, a search looks a bin farther than it must: it then knows
-/// how far away another site is nearest.
+/// If pixels are smaller than this fraction of a bin, a search looks one bin farther than necessary. It then
+/// determines how far away another site becomes nearest.
 constexpr double small_pixel = 1.0 / 24;
-/// The first sites of a bin say well enough how far away the nearest is.
+/// The first sites of a bin estimate the nearest distance well enough.
 constexpr std::uint32_t looked_at_first = 4;
 
 /// Searches for one pixel after the other.
 class GridSearch {
  public:
-  /// `step` is the way from one pixel to the next.
+  /// `step` is the distance from one pixel to the next.
   GridSearch(const SiteSet& sites, Point base, double step)
       : sites_(sites),
         grid_(sites.grid),
@@ -36,7 +36,7 @@ class GridSearch {
         rounding_(1e-12 * grid_.size * std::max(grid_.columns, grid_.rows)),
         farther_(step < small_pixel * grid_.size ? grid_.size : 0) {}
 
-  /// The site nearest to a place, counted from the base; no_site where that is not found here.
+  /// Returns the site nearest to a place relative to the base; no_site if it is not found here.
   std::uint32_t nearest(Point p) {
     if (alone_ > 0) {
       const double x = p.x - from_.x, y = p.y - from_.y;
@@ -69,11 +69,11 @@ class GridSearch {
       for (std::uint32_t i = begin; i < stop; ++i) take(i, p);
     }
     before_ = best_;
-    // Two that differ by rounding alone are told apart by their bisector.
+    // Sites whose distances differ only by rounding must be compared by their bisector.
     constexpr double near_tie = 1e-13;
     if (second_ <= least_ * (1 + near_tie)) return no_site;
     if (farther_ > 0) {
-      // Whatever was not looked at is farther away than that.
+      // Sites that were not examined are farther away than that.
       const double other = std::min(std::sqrt(second_), least_reach + farther_ - rounding_);
       const double way = (other - std::sqrt(least_)) / 2 - rounding_;
       alone_ = way > 0 ? way * way / (slack * slack) : 0;
@@ -100,7 +100,7 @@ class GridSearch {
     }
   }
 
-  /// The bin of a coordinate that is counted from the grid's corner.
+  /// Returns the bin of a coordinate relative to the grid's corner.
   [[nodiscard]] std::uint32_t along(double from_corner, std::uint32_t bins) const {
     const double place = from_corner * per_bin_;
     return place > 0 ? static_cast<std::uint32_t>(std::min(place, static_cast<double>(bins - 1))) : 0u;
@@ -110,7 +110,7 @@ class GridSearch {
   const Grid& grid_;
   Point base_, low_;
   double per_bin_, rounding_, farther_;
-  std::uint32_t before_ = no_site, best_ = no_site;  ///< of the pixel before, and of this one
+  std::uint32_t before_ = no_site, best_ = no_site;  ///< of the previous pixel, and of this one
   double least_ = 0, second_ = 0;                    ///< squared
   Point from_{};                                     ///< the last place that was searched for
   double alone_ = 0;  ///< within this distance of it, squared, `before_` is nearest

@@ -1,5 +1,5 @@
-/// The site nearest to each pixel's center, by the grid that sites stand in: a pixel has few bins to look at,
-/// and the one beside it says which.
+/// Finds the site nearest to each pixel's center on the grid of the sites. A pixel needs only few bins, and
+/// the pixel beside it determines which.
 #pragma once
 
 #include <cstdint>
@@ -10,9 +10,9 @@
 
 namespace vorpipe::cpu {
 
-/// Writes the index in the set of the nearest site for pixels of the view, as nearestSites() does, but for
-/// those that are returned, ascending: where sites crowd, or are far, or two are as near but for rounding.
-/// All are, where sites have weights or some are hidden.
+/// Writes the index in the set of the nearest site for pixels of the view, as nearestSites() does. Leaves
+/// some pixels out and returns them, ascending: where sites crowd or are far, or where two are equally near
+/// up to rounding. Leaves all out if sites have weights or some are hidden.
 std::vector<std::uint32_t> nearestOnGrid(const SiteSet& sites, const View& view, int threads,
                                          std::span<std::uint32_t> out);
 

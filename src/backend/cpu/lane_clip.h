@@ -1,4 +1,4 @@
-/// The shared files for several cells side by side. See lane_words.h.
+/// The shared files for several cells at once. See lane_words.h.
 #pragma once
 
 #include "backend/cpu/lane_words.h"
@@ -11,7 +11,7 @@ namespace lanes {
 constexpr std::size_t width = lane_count;
 
 #ifdef WEIGHTED
-/// Differences of weights. What is larger than this lies beyond any domain, and squares must be finite.
+/// Returns differences of weights, clamped: larger ones lie beyond any domain, and squares must be finite.
 inline Reals differenceOf(const Doubles& own, const Doubles& other) {
   const Doubles most = 1e18 - Doubles{};
   return toReals(max(-most, min(most, own - other)));

@@ -1,4 +1,4 @@
-/// What the lanes are asked to find.
+/// The input and output of a search in lanes.
 #pragma once
 
 #include <cstddef>

@@ -9,7 +9,7 @@ namespace vorpipe::cpu {
 namespace {
 namespace lanes {
 
-/// Some of the cells of a job, in an order of their own.
+/// Some of the cells of a job, in processing order.
 struct LaneOrder {
   static constexpr std::size_t most = 1024;
   static constexpr int most_around = 63;
@@ -31,8 +31,8 @@ struct LaneOrder {
   }
 
  private:
-  /// Cells come row by row of bins, so that they meet the sites of the row beyond for the first time. (Not
-  /// inlined, it would have no effect that GCC sees, and not be called.)
+  /// Prefetches sites of the row beyond: cells come by rows of bins and use these sites for the first time.
+  /// (Always inlined: otherwise GCC sees no effect and drops the call.)
   [[gnu::always_inline]] static void prefetch(const LaneJob& job, std::uint32_t site) {
     __builtin_prefetch(job.x + site);
     __builtin_prefetch(job.y + site);

@@ -1,10 +1,10 @@
-/// The words of shaders/glsl for several cells side by side: `real`, `cell_int` and `cell_bool` are vectors
-/// of VORPIPE_LANES numbers, one cell each. Vectors of GCC and Clang, which have the operators of
-/// numbers, also ?: with a vector of truths; sums and products are those of single floats, bit by bit.
+/// The vocabulary of shaders/glsl for several cells at once: `real`, `cell_int` and `cell_bool` are vectors
+/// of VORPIPE_LANES numbers, one per cell. They are vector types of GCC and Clang with the operators of
+/// numbers, including ?: with a vector of truths. Sums and products equal those of single floats, bit by bit.
 ///
-/// For files that are compiled once for each set of instructions. All is in an anonymous namespace, and
-/// nothing here comes from a library's templates: else the linker might take a copy that another file
-/// compiled for instructions which this machine lacks.
+/// For files that are compiled once for each instruction set. Everything is in an anonymous namespace and
+/// uses no library templates. Otherwise the linker might choose a copy that another file compiled for
+/// instructions this machine lacks.
 #pragma once
 
 #if VORPIPE_LANES == 16
@@ -15,7 +15,7 @@
 #include <cstdint>
 
 #define ANY(condition) anyOf(condition)
-/// Not inline: its loops have the registers to themselves, which is worth 7 %.
+/// Not inlined, so that its loops have all registers: 7 % faster.
 #define CUTTING [[gnu::noinline]]
 #define UNROLL
 #define EDGES(T, name) T name[static_cast<std::size_t>(MAX_EDGES)]
@@ -49,7 +49,7 @@ inline Ints everyBool(bool a) { return everyInt(a ? -1 : 0); }
 inline Reals max(const Reals& a, const Reals& b) { return a < b ? b : a; }
 inline Reals min(const Reals& a, const Reals& b) { return b < a ? b : a; }
 #if VORPIPE_LANES == 16
-// One instruction: compilers take two, of which one waits for the other.
+// One instruction: compilers emit two, of which one waits for the other.
 inline __mmask16 isPositive(const Reals& a) { return _mm512_cmp_ps_mask(a, Reals{}, _CMP_GT_OQ); }
 inline Reals lesserWhere(const Reals& sign, const Reals& a, const Reals& b) {
   return _mm512_mask_min_ps(b, isPositive(sign), a, b);
@@ -102,7 +102,7 @@ inline Ints gather(const std::uint32_t* from, const Ints& place) {
   return all;
 }
 
-/// The words of the shared files.
+/// The type names that the shared files use.
 struct Many {
   using real = Reals;
   using cell_int = Ints;

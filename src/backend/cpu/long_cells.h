@@ -17,7 +17,7 @@ class LongFinder {
   LongFinder(const LongFinder&) = delete;
   LongFinder& operator=(const LongFinder&) = delete;
 
-  /// As CellFinder's, but never open: what the most bits do not tell apart are ties.
+  /// As CellFinder::find(), but never open: whatever the most bits cannot distinguish is a tie.
   CellStatus find(std::uint32_t site, std::vector<std::int32_t>& neighbors);
 
  private:

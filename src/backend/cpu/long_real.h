@@ -1,6 +1,5 @@
-/// Numbers of some hundreds of bits, with exponents that hold products of any doubles. Each operation is a
-/// function that is called: it takes longer than a call, and to have it in place at every use makes the
-/// compiler take four times as long.
+/// Numbers of several hundred bits, with exponents that hold products of any doubles. No operation is
+/// inlined: each takes longer than a call, and inlining makes the compiler four times slower.
 #pragma once
 
 #include <boost/multiprecision/cpp_bin_float.hpp>

@@ -35,8 +35,8 @@ Bins binsAround(const SiteSet& sites, std::uint32_t site, std::int64_t reach) {
           std::min(row + reach, std::int64_t{grid.rows} - 1)};
 }
 
-/// A box all of whose sites are in the bins: up to the next bin, or at a border of the grid, as far as the
-/// coverage of `sites`.
+/// Returns a box whose sites are all in the bins. It extends to the next bin or, at a border of the grid, as
+/// far as the coverage of `sites`.
 Box coverageIn(const SiteSet& sites, const Bins& bins) {
   const auto& grid = sites.grid;
   // A site may lie outside of its bin by the rounding of its coordinates.

@@ -1,4 +1,4 @@
-/// A few cells of many, found without a tree over all sites.
+/// Finds a few cells of many without a tree over all sites.
 #pragma once
 
 #include <span>
@@ -8,12 +8,12 @@
 
 namespace vorpipe::cpu {
 
-/// Finds the neighborhoods of the sites `which` of a set, over a tree of it.
+/// Finds the neighborhoods of the sites `which` of a set, with a tree over that set.
 using FindOverTree = void (*)(const SiteSet& sites, const SiteTree& tree,
                               std::span<const std::uint32_t> which, int threads, CellNeighbors& out);
 
-/// Finds each cell by `find` among the sites of the bins around it: unsecured where those are not enough,
-/// or too many to be worth their while.
+/// Finds each cell with `find` among the sites of the bins around it; unsecured if these are not enough, or
+/// too many to be worthwhile.
 void findNearby(const SiteSet& sites, std::span<const std::uint32_t> which, FindOverTree find, int threads,
                 CellNeighbors& out);
 

@@ -15,9 +15,9 @@
 namespace vorpipe::cpu {
 namespace {
 
-/// Some of the sites that may have cells, but for heavy ones, as points; with weights, as points above the
-/// plane: the square of a site's height is by how much it is lighter than the heaviest of them, so that
-/// distances rank as powers do.
+/// Some of the sites that may have cells, except heavy ones, as points. With weights, the points lie above
+/// the plane: the square of a site's height is how much lighter it is than the heaviest of them. Distances
+/// then rank like powers.
 template <std::size_t Dimensions>
 class Cloud {
  public:
@@ -64,12 +64,12 @@ class Cloud {
   std::array<Span, Dimensions> box_;
 };
 
-/// Squared distances that differ by less than this part of themselves may be in either order.
+/// Squared distances with a smaller relative difference than this may be in either order.
 constexpr double near_tie = 1e-14;
 
 double weightOf(const SiteSet& s, std::uint32_t i) { return s.weight.empty() ? 0 : s.weight[i]; }
 
-/// By how much the power of a place to a is larger than to b, in twice the precision.
+/// Returns how much larger the power of a place to a is than to b, in twice the precision.
 DoubleDouble wideLead(const SiteSet& s, std::uint32_t b, std::uint32_t a, Point base, Point p) {
   const auto towards = [](double at_base, double at, double of_a, double of_b) {
     const DoubleDouble from_a = DoubleDouble::sum(at_base, -of_a) + DoubleDouble(at);
@@ -80,8 +80,8 @@ DoubleDouble wideLead(const SiteSet& s, std::uint32_t b, std::uint32_t a, Point 
          DoubleDouble::sum(weightOf(s, b), -weightOf(s, a));
 }
 
-/// Whether a place is nearer to b than to a: from differences, never from squared distances. Far from both,
-/// and with weights, large terms may cancel.
+/// Whether a place is nearer to b than to a. Uses differences, never squared distances: far from both, and
+/// with weights, large terms may cancel.
 bool isNearerTo(const SiteSet& s, std::uint32_t b, std::uint32_t a, Point base, Point p) {
   const double weight_a = weightOf(s, a), weight_b = weightOf(s, b);
   const double x_from_a = (base.x - s.x[a]) + p.x, x_from_b = (base.x - s.x[b]) + p.x;
@@ -97,8 +97,8 @@ bool isNearerTo(const SiteSet& s, std::uint32_t b, std::uint32_t a, Point base, 
   return wideLead(s, b, a, base, p).high > 0;
 }
 
-/// What a search has found: the nearest site, those that may be as near, and how far away the second nearest
-/// is, where that is wanted. A result set of nanoflann.
+/// The result of a search: the nearest site, those that may be as near, and, if wanted, the distance of the
+/// second nearest. A result set of nanoflann.
 template <std::size_t Dimensions>
 class NearestAndTies {
  public:
@@ -106,7 +106,7 @@ class NearestAndTies {
 
   explicit NearestAndTies(bool wants_second) : wants_second_(wants_second) {}
 
-  /// Points that are added next are those of this cloud.
+  /// Sets the cloud of the points that are added next.
   void from(const Cloud<Dimensions>& cloud) { cloud_ = &cloud; }
 
   /// Distances are squared.
@@ -123,10 +123,10 @@ class NearestAndTies {
     if (!ties_.empty()) std::erase_if(ties_, [&](const Candidate& tie) { return tie.squared >= tied; });
     return true;
   }
-  void sort() {}  // newer nanoflann asks for it at the end; `nearest` has an order of its own
+  void sort() {}  // newer nanoflann calls it at the end; `nearest` sorts by itself
 
-  /// How far another place can be from p and must have the same nearest site: a way changes the distance to
-  /// no site, nor that to its point above the plane, by more than its length.
+  /// Returns the radius around p within which the nearest site must be the same. A move changes the distance
+  /// to a site, or to its point above the plane, by at most its length.
   [[nodiscard]] double reach(Point p) const {
     if (second_ == infinity) return infinity;
     const double other = std::sqrt(second_);
@@ -134,7 +134,7 @@ class NearestAndTies {
     return (other - std::sqrt(best_.squared)) / 2 - rounding * (other + std::abs(p.x) + std::abs(p.y));
   }
 
-  /// Of all sites that may be nearest the one that is; of several the first of the input.
+  /// Returns, of all sites that may be nearest, the one that is; of several, the first of the input.
   [[nodiscard]] std::uint32_t nearest(const SiteSet& sites, Point base, Point p) {
     auto best = best_.site;
     std::sort(ties_.begin(), ties_.end());
@@ -147,7 +147,7 @@ class NearestAndTies {
   }
 
  private:
-  /// Ordered by distance, then as the set has its sites: the order of visits does not count.
+  /// Ordered by distance, then by index in the set, whatever the order of visits.
   struct Candidate {
     double squared;
     std::uint32_t site;
@@ -170,7 +170,7 @@ class PartTree {
   PartTree(const SiteSet& sites, Point base, std::vector<std::uint32_t> site, double heaviest)
       : cloud_(sites, base, std::move(site), heaviest), index_(Dimensions, cloud_, {leaf_size}) {}
 
-  /// From a place to the box of all sites of this part, squared.
+  /// Returns the squared distance from a place to the box of all sites of this part.
   [[nodiscard]] double squaredDistance(const std::array<double, 3>& place) const {
     double squared = 0;
     for (std::size_t axis = 0; axis < Dimensions; ++axis) {
@@ -194,8 +194,7 @@ class PartTree {
   nanoflann::KDTreeSingleIndexAdaptor<Metric, Cloud<Dimensions>, Dimensions, std::uint32_t> index_;
 };
 
-/// Trees of parts of the sites, which threads build at the same time. The parts do not depend on the number
-/// of threads.
+/// Trees over parts of the sites, built in parallel. The parts do not depend on the number of threads.
 template <std::size_t Dimensions>
 class CloudTree {
  public:
@@ -215,8 +214,8 @@ class CloudTree {
     std::erase(parts_, nullptr);
   }
 
-  /// Or no_site where there is none. The place is counted from the base. With `reach`, as NearestAndTies
-  /// says.
+  /// Returns the nearest site, or no_site if there is none. The place is relative to the base. For `reach`
+  /// see NearestAndTies.
   [[nodiscard]] std::uint32_t nearest(Point p, double* reach) const {
     const std::array<double, 3> place{p.x, p.y, 0};
     NearestAndTies<Dimensions> found(reach != nullptr);
@@ -294,7 +293,7 @@ std::uint32_t NearestSite::find(Point place, double* reach) const {
   if (tree_->flat) return tree_->flat->nearest(place, reach);
   const auto& sites = tree_->sites;
   auto best = tree_->lifted->nearest(place, reach);
-  // Heavy sites are no points of the tree, which knows nothing of the way to them.
+  // Heavy sites are not in the tree, so its reach ignores the distance to them.
   if (reach != nullptr && !sites.heavy.empty()) *reach = 0;
   for (const auto heavy : sites.heavy) {
     if (!sites.hidden.empty() && sites.hidden[heavy] != 0) continue;

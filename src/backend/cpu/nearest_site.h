@@ -1,4 +1,4 @@
-/// The judge of pictures and of places: which site is nearest, in double.
+/// The judge of pictures and places: finds the nearest site in double.
 #pragma once
 
 #include <memory>
@@ -7,8 +7,8 @@
 
 namespace vorpipe::cpu {
 
-/// Where sites and places are counted from: the domain's corner, along an axis where no difference to it is
-/// rounded, of sites in the domain and beside it.
+/// Returns the origin from which sites and places are measured: along each axis the domain's corner if
+/// differences to it are exact, for sites in the domain and beside it; else 0.
 Point countedFrom(const Box& domain);
 
 /// Finds nearest sites. Independent of the clipping: a kd-tree over the sites.
@@ -17,10 +17,10 @@ class NearestSite {
   NearestSite(const SiteSet& sites, int threads);  ///< `sites` must outlive this
   ~NearestSite();
 
-  /// The index in the set of the site nearest to a place, seen from another, in scaled units, by power, or
-  /// no_site where all are hidden. Sites whose squared distances differ by rounding alone are told apart by
-  /// the place's side of their bisector; of those with the place on it the first of the input is taken. From
-  /// a corner of the domain no place in it is rounded by more than its distance to that.
+  /// Returns the index in the set of the site nearest by power to place `p`, given relative to `from`, in
+  /// scaled units, or no_site if all are hidden. If squared distances differ only by rounding, the place's
+  /// side of the sites' bisector decides; on the bisector, the first site of the input wins. If `from` is a
+  /// corner of the domain, a place in the domain is rounded no more than its distance to that corner is.
   [[nodiscard]] std::uint32_t at(Point from, Point p) const;
 
   class Walk;
@@ -28,14 +28,14 @@ class NearestSite {
  private:
   struct Tree;
   [[nodiscard]] Point placeOf(Point from, Point p) const;
-  /// `reach`, if it is not null, is set to how far around the place the same site must be nearest.
+  /// Sets `reach`, unless null, to the radius around the place within which the same site must be nearest.
   [[nodiscard]] std::uint32_t find(Point place, double* reach) const;
 
   std::unique_ptr<Tree> tree_;
 };
 
-/// The same for places that come one after the other, each some `step` from the one before: where the same
-/// site must be nearest, nothing is searched for.
+/// The same for consecutive places, each some `step` from the previous one. Skips the search where the same
+/// site must be nearest.
 class NearestSite::Walk {
  public:
   Walk(const NearestSite& nearest, double step) : nearest_(nearest), step_(step) {}
@@ -47,8 +47,8 @@ class NearestSite::Walk {
   Point searched_{};
   double reach_ = 0;  ///< within it of `searched_`, `site_` is nearest
   std::uint32_t site_ = no_site;
-  /// Places that are still found without asking how far: the last answer was less than a step, and to ask
-  /// takes longer.
+  /// Number of places still to find without computing the reach: the last one was less than a step, and
+  /// computing it takes longer.
   int in_vain_ = 0;
 };
 

@@ -1,4 +1,4 @@
-/// Pictures as the judge has them: the site nearest to each pixel's center.
+/// The judge's pictures: the site nearest to each pixel's center.
 #pragma once
 
 #include <cstdint>
@@ -9,7 +9,7 @@
 
 namespace vorpipe::cpu {
 
-/// Of the pixels of a view, seen from its corner.
+/// The pixel centers of a view, relative to its corner.
 class PixelCenters {
  public:
   explicit PixelCenters(const View& view)
@@ -18,7 +18,7 @@ class PixelCenters {
         height_(view.box.ymax - view.box.ymin),
         columns_(static_cast<std::size_t>(view.width)) {}
 
-  /// Of a pixel by its number, row by row.
+  /// Returns the center of a pixel by its number, row by row.
   [[nodiscard]] Point at(std::size_t pixel) const {
     const std::size_t row = pixel / columns_, column = pixel % columns_;
     return {view_.box.xmin + (static_cast<double>(column) + 0.5) / view_.width * width_,

@@ -1,4 +1,4 @@
-/// The edges of a cell in order, and whether numbers of a given precision know them well enough.
+/// The edges of a cell in order, and whether a given precision determines them well enough.
 #pragma once
 
 #include <algorithm>
@@ -10,7 +10,7 @@
 
 namespace vorpipe::cpu {
 
-/// An edge of a cell as struct Cell of cell.glsl has it.
+/// An edge of a cell, as in struct Cell of cell.glsl.
 template <class Real>
 struct RingEdge {
   std::int32_t line;  ///< a site, or a wall
@@ -33,17 +33,17 @@ struct Offset {
   Real weight_difference;  ///< the weight of the cell's own site minus the other's
 };
 
-/// In parts of tieScale, as shortest_edge. A site that was left out has no edge for sure if that were no
-/// longer than this.
+/// A fraction of tieScale, like shortest_edge. A site that was left out surely has no edge if that would be
+/// no longer than this.
 constexpr double no_edge = 5e-7;
-/// Up to this, a length may be unsure and yet tell an edge from a tie.
+/// Lengths with less uncertainty than this are accepted to tell an edge from a tie.
 constexpr double unsure_edge = 5e-8;
 
-/// By how much rounding may have moved the point where two lines meet, the sine of whose angle is `turn`.
-/// near: the heights of the lines, how far weights moved them, and the distance of the site from the origin;
-/// far: of the point from the origin. With u the unit of rounding, a normal is off by 2 u in direction and 5
-/// u in length, a height by 3 u, sine and cosine by 6 u; so the place on a line, (h - h_k cosine) / sine, is
-/// off by no more than (24 near + 8 far) u / sine.
+/// Bounds how far rounding may have moved the intersection of two lines; `turn` is the sine of their angle.
+/// near: the sum of the lines' heights, of how far weights moved them, and of the site's distance from the
+/// origin; far: the point's distance from the origin. With u the unit of rounding, a normal is off by 2 u in
+/// direction and 5 u in length, a height by 3 u, sine and cosine by 6 u. So the place on a line, (h - h_k
+/// cosine) / sine, is off by at most (24 near + 8 far) u / sine.
 template <class Real>
 Real cornerNoise(Real near, Real far, Real turn) {
   using real = Real;
@@ -59,13 +59,13 @@ void sortRing(std::vector<RingEdge<Real>>& ring) {
   });
 }
 
-/// Where an edge ends.
+/// Returns the end point of an edge.
 template <class Real>
 Vector<Real> endOf(const RingEdge<Real>& edge) {
   return {edge.nx * edge.h - edge.ny * edge.hi, edge.ny * edge.h + edge.nx * edge.hi};
 }
 
-/// By how much rounding may have moved the corner between an edge and the next.
+/// Bounds how far rounding may have moved the corner between an edge and the next.
 template <class Real>
 Real noiseBetween(const RingEdge<Real>& a, const RingEdge<Real>& b, const Vector<Real>& origin_offset) {
   const auto corner = endOf(a);
@@ -73,7 +73,7 @@ Real noiseBetween(const RingEdge<Real>& a, const RingEdge<Real>& b, const Vector
   return cornerNoise<Real>(near, abs(corner.x) + abs(corner.y), a.nx * b.ny - a.ny * b.nx);
 }
 
-/// Whether the ring, sorted, is no wider than its corners are unsure: then it may be empty as well.
+/// Whether the sorted ring is no wider than the uncertainty of its corners: then it may be empty.
 template <class Real>
 bool mayBeEmpty(const std::vector<RingEdge<Real>>& ring, const Vector<Real>& origin_offset) {
   const auto count = ring.size();
@@ -89,8 +89,8 @@ bool mayBeEmpty(const std::vector<RingEdge<Real>>& ring, const Vector<Real>& ori
   return false;
 }
 
-/// Whether the edges, sorted, go once around and every length is known well enough to tell an edge from a
-/// tie. blur bounds what else may have shortened an edge; shorter_side is the domain's.
+/// Whether the sorted edges go around once and every length is precise enough to tell an edge from a tie.
+/// blur bounds what else may have shortened an edge; shorter_side is the domain's.
 template <class Real>
 bool isSure(const std::vector<RingEdge<Real>>& ring, const Vector<Real>& origin_offset, Real blur,
             double shorter_side) {

@@ -176,8 +176,8 @@ struct TreeBuilder {
   }
 };
 
-/// The weights, with the least of all for heavy sites: TreeWalk cuts every cell by those first, and they need
-/// no wide bounds.
+/// Returns the weights, with the least of all for heavy sites: TreeWalk cuts every cell by those first, so
+/// they need no wide bounds.
 std::vector<double> weightsThatCount(const SiteSet& sites) {
   auto weight = sites.weight;
   if (sites.heavy.empty()) return weight;

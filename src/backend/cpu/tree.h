@@ -1,4 +1,4 @@
-/// A kd-tree over the sites: the search that no distribution of sites makes slow (decision D36).
+/// A kd-tree over the sites: no distribution of sites makes its search slow (decision D36).
 #pragma once
 
 #include <cstdint>
@@ -8,19 +8,19 @@
 
 namespace vorpipe::cpu {
 
-/// What bounds the sites of a node: a rectangle turned any way, which holds point + (ux, uy) a + (-uy, ux) b
-/// for a in [low_a, high_a] and b in [low_b, high_b]; and a circle that they lie on or outside of, where that
-/// says more: sites along a curve. (ux, uy) is of length 1 up to rounding; the center is seen from the point.
+/// Bounds of the sites of a node. A rotated rectangle holds point + (ux, uy) a + (-uy, ux) b for a in [low_a,
+/// high_a] and b in [low_b, high_b]. A circle is added where that is tighter, for sites along a curve: they
+/// lie on or outside of it. (ux, uy) has length 1 up to rounding; the center is relative to the point.
 struct Bounds {
   double x, y, ux, uy;
   double low_a, high_a, low_b, high_b;
   double center_x, center_y, radius;  ///< radius 0: no circle
-  double heaviest;  ///< no site of the node, but a heavy one of the set, has a larger weight
+  double heaviest;  ///< no site of the node has a larger weight, except a heavy one of the set
 };
 
 /// A balanced tree. The rank of a site is its index in the order of the leaves; every node holds a range of
-/// ranks, its children the halves of it. Nodes are numbered as in a heap, from 1; those from first_leaf on
-/// are leaves. The tree depends on the sites alone.
+/// ranks, its children hold the halves of it. Nodes are numbered as in a heap, from 1; those from first_leaf
+/// on are leaves. The tree depends on the sites alone.
 struct SiteTree {
   struct Range {
     std::uint32_t begin, end;

@@ -1,4 +1,4 @@
-/// Cells found over the tree, with any number of edges.
+/// Finds cells with any number of edges by walking the tree.
 #pragma once
 
 #include <memory>
@@ -7,19 +7,19 @@
 
 namespace vorpipe::cpu {
 
-/// One cell after the other, with numbers of type Real.
+/// Finds one cell after the other, with numbers of type Real.
 template <class Real>
 class CellFinder {
  public:
   CellFinder(const SiteSet& sites, const SiteTree& tree) : sites_(sites), tree_(tree), usual_(sites, tree) {}
 
-  /// Appends the neighbors of a site, counter-clockwise, and returns certified, empty, unsecured, or open
-  /// if rounding leaves doubts; with `decide`, those are taken for ties. Of a cell that is empty in a set
-  /// with weights it appends what leaves nothing of it, as CellNeighbors says.
+  /// Appends the neighbors of a site, counter-clockwise. Returns certified, empty, unsecured, or open if
+  /// rounding leaves doubts; with `decide`, doubtful cases count as ties. For a cell that is empty in a set
+  /// with weights, appends what leaves nothing of it, as CellNeighbors describes.
   CellStatus find(std::uint32_t site, std::vector<std::int32_t>& neighbors, bool decide) {
     const auto status = findEdges(site, decide);
     if (status == CellStatus::certified) {
-      // Ties stay: corners follow from the neighbors beside them.
+      // Ties are kept: corners are computed from the neighbors beside them.
       for (const auto& edge : found_.edges) neighbors.push_back(edge.line);
     } else if (status == CellStatus::empty && hasWeights()) {
       appendTried(neighbors);
@@ -30,7 +30,7 @@ class CellFinder {
  private:
   static constexpr std::size_t usual_edges = 12;
   static constexpr std::size_t part_edges = 64;
-  /// Parts are halved this often at most: smaller ones are below rounding.
+  /// Parts are halved at most this often: smaller ones are below rounding.
   static constexpr int most_halvings = 200;
 
   [[nodiscard]] bool hasWeights() const { return !tree_.weight.empty(); }
@@ -73,7 +73,7 @@ class CellFinder {
     neighbors.insert(neighbors.end(), tried.begin(), tried.end());
   }
 
-  /// Clips the part of a cell inside walls, in as many parts as it takes.
+  /// Clips the part of a cell inside walls, in as many parts as necessary.
   CellStatus findParts(std::uint32_t site, const Walls<Real>& walls, int halvings) {
     if (!part_) part_ = std::make_unique<TreeWalk<Real, part_edges>>(sites_, tree_);
     auto status = part_->find(site, origin_offset_, walls, found_);
@@ -87,7 +87,7 @@ class CellFinder {
     return status == CellStatus::unsecured ? status : findParts(site, high, halvings + 1);
   }
 
-  /// Not at the middle, where the edges of a symmetric cell may lie on the new wall.
+  /// Does not split at the middle, where the edges of a symmetric cell may lie on the new wall.
   static std::pair<Walls<Real>, Walls<Real>> halves(const Walls<Real>& walls) {
     constexpr double place = 0.4142;
     auto low = walls;

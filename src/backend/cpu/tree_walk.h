@@ -1,19 +1,19 @@
-/// One cell, found over the tree and clipped by the shared algorithm as it is found.
+/// Finds one cell by walking the tree, and clips it with the shared algorithm on the way.
 ///
-/// A site cuts the cell when a corner of the cell is nearer to that site than to its own. So a subtree can
-/// be passed over if its box reaches into none of the circles around the corners through the cell's own site;
-/// unlike the radius of security this certifies long thin cells, too. With weights, to be nearer is to have
-/// the smaller power, |x - p|^2 - w, and the square of a circle's radius grows by how much the heaviest site
-/// of the subtree is heavier than the cell's own. The walk begins in the site's own
-/// leaf and climbs; what stands beside its way is tried, nearest first. Where that takes long, as on a curve,
-/// of all that is left the site that cuts a corner deepest is looked for instead, until there is none.
+/// A site cuts the cell when a corner of the cell is nearer to that site than to its own. So a subtree can be
+/// skipped if its box reaches into none of the circles around the corners through the cell's own site. Unlike
+/// the security radius, this certifies long thin cells, too. With weights, nearer means a smaller |x - p|^2 -
+/// w, the power, and the square of a circle's radius grows by how much the heaviest site of the subtree is
+/// heavier than the cell's own. The walk begins in the site's own leaf and climbs; subtrees beside its path
+/// are tried, nearest first. Where that takes long, as on a curve, it instead searches all the rest for the
+/// site that cuts a corner deepest, until there is none.
 ///
-/// Every corner is known up to its `noise`, a bound of the rounding errors, which grows as its two lines
-/// get parallel. Sites that cut no corner by more than its noise are left out; what that may have changed
-/// is bounded, and where the bound matters, the cell is `open`. It matters by the rule that an edge
-/// shorter than a tie is none; see backend/tie.h.
+/// Every corner is known up to its `noise`, a bound of the rounding errors, which grows as its two lines get
+/// parallel. Sites that cut no corner by more than its noise are left out. The effect of leaving them out is
+/// bounded, and where the bound matters, the cell is `open`. What matters follows from the rule that an edge
+/// shorter than a tie does not count; see backend/tie.h.
 ///
-/// The functions are in tree_walk_search.h, which is what to include.
+/// The functions are in tree_walk_search.h, which is the file to include.
 #pragma once
 
 #include <algorithm>
@@ -27,10 +27,10 @@
 
 namespace vorpipe::cpu {
 
-/// The line of a wall that is none of the domain's: it bounds a part of a cell.
+/// The line of a wall that is not the domain's: it bounds a part of a cell.
 constexpr std::int32_t inner_wall = -5;
 
-/// Of a slot that holds none.
+/// The line of an empty slot.
 constexpr std::int32_t no_line = std::numeric_limits<std::int32_t>::min();
 
 template <class Real>
@@ -38,20 +38,20 @@ Real differenceOf(double a, double b) {
   return Real(a) - Real(b);
 }
 
-/// Seen from the origin of a cell; side k is one of the domain's unless inner[k].
+/// Walls relative to the origin of a cell; side k is one of the domain's unless inner[k].
 template <class Real>
 struct Walls {
   Real west, south, east, north;
   bool inner[4];  ///< west, east, south, north: as the numbers of the walls
 };
 
-/// What is inside the walls of a walk.
+/// What a walk finds inside its walls.
 template <class Real>
 struct Found {
-  std::vector<RingEdge<Real>> edges;  ///< added to, in no order
-  std::vector<std::int32_t> tried;    ///< where sites have weights: those that cut or might have, added to
-  Real blur{};                        ///< by how much sites that were left out may have shortened an edge
-  bool sure = true;                   ///< that no site was left out that might have an edge that counts
+  std::vector<RingEdge<Real>> edges;  ///< appended, in no order
+  std::vector<std::int32_t> tried;    ///< if sites have weights: those that cut or might, appended
+  Real blur{};                        ///< how much the sites left out may have shortened an edge
+  bool sure = true;                   ///< whether no site was left out that might have an edge that counts
 };
 
 template <class Real, std::size_t Room>
@@ -67,7 +67,7 @@ class TreeWalk {
   CellStatus find(std::uint32_t site, const Vector<Real>& origin_offset, const Walls<Real>& walls,
                   Found<Real>& found);
 
-  /// A box that the cell of an overflow lies in, smaller than its walls if possible.
+  /// Returns a box around a cell that overflowed, smaller than its walls if possible.
   [[nodiscard]] Walls<Real> bounds(Walls<Real> walls) const;
 
  private:
@@ -79,19 +79,19 @@ class TreeWalk {
   struct Subtree {
     std::uint32_t node;
     SiteTree::Range range;
-    Real reach;             ///< of its box, into the circle or circles that are asked about
-    std::uint32_t version;  ///< of the cell then
+    Real reach;             ///< of its box into the circle or circles in question
+    std::uint32_t version;  ///< of the cell at that time
   };
 
-  /// Between the lines of two slots; the rest of a corner is in arrays, for loops that vectorize.
+  /// A corner between the lines of two slots; its other data is in arrays, so that loops vectorize.
   struct Corner {
     std::size_t before, after;
     Real turn;   ///< sine of the angle between the lines
     bool known;  ///< no site of the subtree is nearer to it than the cell's own
   };
 
-  /// The site that lies deepest inside the circle around a corner through the cell's own site, of those
-  /// that surely do.
+  /// The site deepest inside the circle around a corner through the cell's own site, among those surely
+  /// inside.
   struct Deepest {
     Real depth;  ///< difference of squared distances
     std::uint32_t rank;
@@ -145,23 +145,23 @@ class TreeWalk {
   typename Clip::Cell cell_;
   std::uint32_t site_ = 0;
   double site_x_ = 0, site_y_ = 0, weight_ = 0;
-  double heaviest_anywhere_ = -std::numeric_limits<double>::infinity();  // in the set or not, but heavy ones
+  double heaviest_anywhere_ = -std::numeric_limits<double>::infinity();  // in or outside the set; not heavy
   Vector<Real> origin_offset_;
   std::size_t corners_ = 0;
-  std::size_t corners_end_ = 0;  // of loops that vectorize: what is beyond corners_ is computed in vain
+  std::size_t corners_end_ = 0;  // end of loops that vectorize; results beyond corners_ are unused
   Corner corner_[Room];
-  // By corner: the normal of the line before it; the noise along that line and across. The corner itself,
-  // seen from the site; its squared distance from the site, and by how much that is unsure; the same for the
-  // reach of a box.
+  // By corner: the normal of the line before it; the noise along that line and across it. The corner itself,
+  // relative to the site; its squared distance from the site, and the uncertainty of that; the uncertainty of
+  // a box's reach.
   Real line_x_[Room], line_y_[Room], noise_[Room], across_[Room];
   Real x_[Room], y_[Room], squared_[Room], widening_[Room], margin_[Room];
-  // By slot, while line_[k] is still the one in it.
+  // By slot; valid while line_[k] is still the line in it.
   std::int32_t line_[Room];
-  std::int32_t known_after_[Room];  // the line that its edge ends at, where that corner is known
+  std::int32_t known_after_[Room];  // the line where its edge ends, if that corner is known
   Real angle_[Room];                // of the normal
   Real moved_[Room], apart_[Room];  // as in RingEdge; apart_ of sites only
   Real new_moved_{}, new_apart_{};  // of the line that cuts
-  std::vector<Subtree> beside_;     // the subtrees beside the way from the root to the site's leaf
+  std::vector<Subtree> beside_;     // the subtrees beside the path from the root to the site's leaf
   std::vector<Subtree> pending_;
   std::vector<std::pair<double, std::uint32_t>> nearest_;  // power of the cell's own site, and rank
   std::uint32_t version_ = 0;

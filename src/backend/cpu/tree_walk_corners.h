@@ -1,11 +1,11 @@
-/// The corners of the cell in tree_walk.h: cutting it, what is near them, and what may be left out.
+/// The corners of the cell in tree_walk.h: cutting the cell, rounding noise, and which sites may be left out.
 #pragma once
 
 #include "backend/cpu/tree_walk.h"
 
 namespace vorpipe::cpu {
 
-/// By how much a turned box may be off, for its direction is rounded to double: part of a distance squared.
+/// Error of a rotated box, whose direction is rounded to double, as a fraction of a squared distance.
 constexpr double box_rounding = 4e-15;
 template <class Real, std::size_t Room>
 Real TreeWalk<Real, Room>::weightDifference(double weight) const {
@@ -31,13 +31,13 @@ Real weightNoise(const Real& weight_difference) {
   return Real(16.0) * ROUNDING * abs(weight_difference);
 }
 
-/// How deep the site at d lies in the circle around a corner, as a difference of powers.
+/// Returns how deep the site at d lies in the circle around a corner, as a difference of powers.
 template <class Real, std::size_t Room>
 Real TreeWalk<Real, Room>::depthOf(std::size_t corner, const Offset<Real>& d) const {
   return Real(2.0) * (x_[corner] * d.x + y_[corner] * d.y) - (d.x * d.x + d.y * d.y) - d.weight_difference;
 }
 
-/// By how much rounding may be off in that: where the corner may lie along its lines counts only as far as
+/// Returns the rounding error of that depth. The corner's uncertainty along its lines counts only as far as
 /// the bisector is not parallel to them.
 template <class Real, std::size_t Room>
 Real TreeWalk<Real, Room>::noiseOf(std::size_t corner, const Offset<Real>& d) const {
@@ -46,8 +46,8 @@ Real TreeWalk<Real, Room>::noiseOf(std::size_t corner, const Offset<Real>& d) co
          weightNoise(d.weight_difference);
 }
 
-/// Whether the site at d is nearer to a corner than the cell's own, whatever the noise; perhaps: whether
-/// it may be; wholly: whether it is to all corners.
+/// Whether the site at d is nearer to a corner than the cell's own, despite the noise. Sets `perhaps` to
+/// whether it may be, and `wholly` to whether it is nearer to all corners.
 template <class Real, std::size_t Room>
 bool TreeWalk<Real, Room>::isCut(const Offset<Real>& d, bool& perhaps, bool& wholly) const {
   const Real squared = d.x * d.x + d.y * d.y + d.weight_difference;
@@ -130,8 +130,8 @@ void TreeWalk<Real, Room>::placeCorner(std::size_t c, std::size_t before, std::s
   most_margin_ = max(most_margin_, margin_[c]);
 }
 
-/// Whether the bisector with the site at d, which touches the edge in a slot, lies in its line as far as many
-/// digits can tell.
+/// Whether the bisector with the site at d, which touches the edge in a slot, coincides with its line as far
+/// as long numbers can tell.
 template <class Real, std::size_t Room>
 bool TreeWalk<Real, Room>::liesIn(std::size_t slot, const Offset<Real>& d, Real length) const {
   if (std::is_floating_point_v<Real>) return false;
@@ -139,14 +139,14 @@ bool TreeWalk<Real, Room>::liesIn(std::size_t slot, const Offset<Real>& d, Real 
   return cell_.nx[slot] * d.x + cell_.ny[slot] * d.y > Real(0.0) && cross <= Real(16.0) * ROUNDING * length;
 }
 
-/// Then the edge is the wall's, or of two sites that of the farther one: beyond that line the nearer has no
-/// cell.
+/// Whether the edge then keeps its owner: the wall, or the farther of two sites, since the nearer has no cell
+/// beyond that line.
 template <class Real, std::size_t Room>
 bool TreeWalk<Real, Room>::liesBehind(std::size_t slot, const Offset<Real>& d, Real length) const {
   return (cell_.line[slot] < 0 || apart_[slot] > length) && liesIn(slot, d, length);
 }
 
-/// Gives a site that cuts no corner the edge that is its own by that rule.
+/// Gives a site that cuts no corner the edge that belongs to it by that rule.
 template <class Real, std::size_t Room>
 void TreeWalk<Real, Room>::takeOver(std::uint32_t site) {
   const auto d = offsetTo(site);
@@ -162,7 +162,7 @@ void TreeWalk<Real, Room>::takeOver(std::uint32_t site) {
   }
 }
 
-/// Whether a site that hardly reaches into the circle around a corner may have an edge that counts.
+/// Whether a site that barely reaches into the circle around a corner may have an edge that counts.
 template <class Real, std::size_t Room>
 bool TreeWalk<Real, Room>::mayMatter(std::size_t corner, const Offset<Real>& d) {
   const Real squared = d.x * d.x + d.y * d.y;
@@ -183,7 +183,7 @@ bool TreeWalk<Real, Room>::mayMatter(std::size_t corner, const Offset<Real>& d) 
 template <class Real, std::size_t Room>
 bool TreeWalk<Real, Room>::isKnownAround() const {
   const auto& coverage = sites_.coverage;
-  // All sites are known, also around corners so far away that a double does not hold their squares.
+  // All sites are known, even around corners so far away that their squares overflow a double.
   const bool is_whole = std::isinf(coverage.xmin) && std::isinf(coverage.xmax) && std::isinf(coverage.ymin) &&
                         std::isinf(coverage.ymax);
   if (is_whole) return true;
@@ -202,7 +202,7 @@ bool TreeWalk<Real, Room>::isKnownAround() const {
   return true;
 }
 
-/// Widened, so that no edge of the cell comes to lie on a wall.
+/// The box is widened so that no edge of the cell lies on a wall.
 template <class Real, std::size_t Room>
 Walls<Real> TreeWalk<Real, Room>::bounds(Walls<Real> walls) const {
   const auto [west, east] = std::minmax_element(x_, x_ + corners_);

@@ -6,10 +6,11 @@
 
 namespace vorpipe::cpu {
 
-/// A box is left out only if that adds at most this multiple of their noise to the error of the edges' ends.
+/// A box is left out only if that adds at most this multiple of a corner's noise to the error of the edges'
+/// ends.
 constexpr double most_blur = 16;
 
-/// A box of the tree, seen from the site.
+/// A box of the tree, relative to the site.
 template <class Real, std::size_t Room>
 struct TreeWalk<Real, Room>::Seen {
   Real x, y, ux, uy, low_a, high_a, low_b, high_b;
@@ -33,7 +34,8 @@ struct TreeWalk<Real, Room>::Seen {
     root = Real(2.0) * sqrt(max(heavier, Real(0.0)));
   }
 
-  /// An upper bound of how deep the box reaches into the circle around a corner, as a difference of powers.
+  /// Returns an upper bound of how deep the box reaches into the circle around a corner, as a difference of
+  /// powers.
   [[nodiscard]] Real reach(const TreeWalk& walk, std::size_t corner) const {
     const Real to_x = walk.x_[corner] - x;
     const Real to_y = walk.y_[corner] - y;
@@ -44,7 +46,7 @@ struct TreeWalk<Real, Room>::Seen {
     return walk.squared_[corner] - (da * da + db * db) + liftAt(walk, corner);
   }
 
-  /// A tighter bound where all sites of the node lie on the circle of `bounds` or outside of it.
+  /// Returns a tighter bound where all sites of the node lie on the circle of `bounds` or outside of it.
   [[nodiscard]] Real reachOverCircle(const TreeWalk& walk, std::size_t corner, const Bounds& bounds,
                                      const Real& reached) const {
     const Real to_x = walk.x_[corner] - x - Real(bounds.center_x);
@@ -54,13 +56,13 @@ struct TreeWalk<Real, Room>::Seen {
     return min(reached, walk.squared_[corner] - inside * inside + liftAt(walk, corner));
   }
 
-  /// By how much the weight of the heaviest site raises the bound, with the noise of the corner.
+  /// Returns how much the weight of the heaviest site raises the bound, including the noise of the corner.
   [[nodiscard]] Real liftAt(const TreeWalk& walk, std::size_t corner) const {
     return lift + root * walk.noise_[corner];
   }
 };
 
-/// How deep a node reaches into the circle around a corner.
+/// Returns how deep a node reaches into the circle around a corner.
 template <class Real, std::size_t Room>
 Real TreeWalk<Real, Room>::reach(std::size_t corner, const Bounds& bounds) const {
   const Seen seen(*this, bounds);
@@ -68,7 +70,7 @@ Real TreeWalk<Real, Room>::reach(std::size_t corner, const Bounds& bounds) const
   return bounds.radius == 0 ? reached : seen.reachOverCircle(*this, corner, bounds, reached);
 }
 
-/// How deep a node reaches into the circle of any corner, at most.
+/// Returns how deep a node reaches at most into the circle of any corner.
 template <class Real, std::size_t Room>
 Real TreeWalk<Real, Room>::reach(const Bounds& bounds) const {
   const Seen seen(*this, bounds);
@@ -83,18 +85,18 @@ Real TreeWalk<Real, Room>::reach(const Bounds& bounds) const {
   return most;
 }
 
-/// Whether a site in a box that hardly reaches into the circle around a corner may have an edge that counts.
-/// If the lines a and b meet in the corner, a site at distance D and in direction n cuts off no more
-/// than depth = reach / (2 D). Its edge is no longer than depth sin(a, b) / (sin(a, n) sin(n, b)), and it
-/// shortens the two others by depth / sin(a, n) and depth / sin(n, b). Of cross(a, d) over a box, the
-/// least is that of a corner of the box, or none if the signs differ.
+/// Whether a site in a box that barely reaches into the circle around a corner may have an edge that counts.
+/// If the lines a and b meet in the corner, a site at distance D and in direction n cuts off no more than
+/// depth = reach / (2 D). Its edge is no longer than depth sin(a, b) / (sin(a, n) sin(n, b)), and it shortens
+/// the two others by depth / sin(a, n) and depth / sin(n, b). The least |cross(a, d)| over a box is at a
+/// corner of the box, or zero if the signs differ.
 template <class Real, std::size_t Room>
 bool TreeWalk<Real, Room>::mayMatter(std::size_t corner, const Bounds& bounds, Real reached) {
   const Real ux = Real(bounds.ux);
   const Real uy = Real(bounds.uy);
   const Real x = differenceOf<Real>(bounds.x, site_x_);
   const Real y = differenceOf<Real>(bounds.y, site_y_);
-  // The box, seen from the site and turned as it is.
+  // The box, relative to the site and in its own rotated axes.
   const Real a[2] = {x * ux + y * uy + Real(bounds.low_a), x * ux + y * uy + Real(bounds.high_a)};
   const Real b[2] = {y * ux - x * uy + Real(bounds.low_b), y * ux - x * uy + Real(bounds.high_b)};
   const auto leastCross = [&](std::size_t slot) {

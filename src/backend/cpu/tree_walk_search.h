@@ -65,8 +65,8 @@ void TreeWalk<Real, Room>::climb() {
   }
 }
 
-/// Tries the sites of `range`, nearest by power first: most sites that cut in this order are neighbors in the
-/// end.
+/// Tries the sites of `range`, nearest by power first: most sites that cut in this order turn out to be
+/// neighbors.
 template <class Real, std::size_t Room>
 void TreeWalk<Real, Room>::tryNear(SiteTree::Range range) {
   const auto own = tree_.rank[site_];
@@ -93,8 +93,8 @@ auto TreeWalk<Real, Room>::children(const Subtree& parent, const Reach& reachOf)
   return std::pair{low, high};
 }
 
-/// Tries all sites of a subtree whose boxes reach into a corner's circle. False if that takes so long that it
-/// is better left to tryDeepest.
+/// Tries all sites of a subtree whose boxes reach into a corner's circle. Returns false if that takes so long
+/// that tryDeepest is better.
 template <class Real, std::size_t Room>
 bool TreeWalk<Real, Room>::tryAll(std::size_t beside) {
   const auto many_cuts = version_ + few_cuts;
@@ -190,7 +190,7 @@ typename TreeWalk<Real, Room>::Deepest TreeWalk<Real, Room>::findDeepest(std::si
   return deepest;
 }
 
-/// Whether a subtree may hold a site deeper in the corner's circle than `deepest`, or where no site was found
+/// Whether a subtree may hold a site deeper in the corner's circle than `deepest`, or, if no site was found
 /// so far, a tie that matters.
 template <class Real, std::size_t Room>
 bool TreeWalk<Real, Room>::isWorthwhile(std::size_t corner, const Subtree& subtree, const Deepest& deepest) {

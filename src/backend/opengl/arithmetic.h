@@ -1,4 +1,4 @@
-/// Computing with numbers of the caller's.
+/// Computes with the caller's numbers.
 #pragma once
 
 #include <span>
@@ -16,8 +16,8 @@ class Calculator {
  public:
   Calculator();
 
-  /// What Backend::compute does. Takes a complete framebuffer that is bound, and leaves it alone. Errors
-  /// (device): the device failed; the driver refuses the shader.
+  /// Implements Backend::compute. Requires a complete framebuffer to be bound, and leaves it unchanged.
+  /// Errors (device): the device failed; the driver refuses the shader.
   Result<void> run(std::span<const Operands> operands, std::span<Computed> out);
 
  private:

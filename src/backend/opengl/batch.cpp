@@ -41,7 +41,7 @@ Batch::Batch()
 Result<void> Batch::send(const CellBatch<float>& batch, std::span<const DrawMark> marks) {
   glBindVertexArray(vertices_);
   entries_.write(std::as_bytes(std::span(batch.entries)));
-  // Without marks there still are marks to fetch.
+  // Shaders fetch marks even if none are sent.
   marks_.reserve(batch.entries.size() * sizeof(DrawMark));
   marks_.write(std::as_bytes(marks));
   lines_.write(std::as_bytes(std::span(batch.lines)));

@@ -14,8 +14,8 @@ class Batch {
  public:
   Batch();
 
-  /// Replaces what is on the device and makes it what the next draw call takes; points are entries.
-  /// marks may be empty where the program does not use them. Error (device): out of memory.
+  /// Replaces the batch on the device and makes it the input of the next draw call; points are entries. marks
+  /// may be empty where the program does not use them. Error (device): out of memory.
   Result<void> send(const CellBatch<float>& batch, std::span<const DrawMark> marks);
 
  private:

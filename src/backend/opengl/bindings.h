@@ -1,4 +1,4 @@
-/// Where programs find what is on the device.
+/// Where programs find data on the device.
 #pragma once
 
 #include <cstdint>

@@ -17,7 +17,7 @@ class Buffer {
   /// Makes room for that many bytes; what it held is lost if it has to grow. Leaves it bound.
   void reserve(std::size_t bytes);
 
-  /// Replaces what it holds. The device must be done with the previous contents. Leaves it bound.
+  /// Replaces its contents. The device must be done with the previous contents. Leaves it bound.
   void write(std::span<const std::byte> bytes);
 
   void bind() const { glBindBuffer(target_, name_); }
@@ -34,7 +34,7 @@ class TexelBuffer {
  public:
   TexelBuffer(GLenum format, GLuint unit);
 
-  /// Replaces what it holds.
+  /// Replaces its contents.
   void write(std::span<const std::byte> bytes);
 
  private:

@@ -1,4 +1,4 @@
-/// The pipelines that hand cells back as data.
+/// The pipelines that return cells as data.
 #pragma once
 
 #include <array>
@@ -15,9 +15,9 @@ class Cells {
  public:
   Cells() : feedback_(GL_POINTS) {}
 
-  /// Clips the entries or sites that were sent, `count` of them, and replaces out. Lists of lines are
-  /// clipped with the most room. Takes a complete framebuffer and a view that are bound, and leaves both
-  /// alone. Errors (device): out of memory; the device failed; the driver refuses the shaders.
+  /// Clips the entries or sites that were sent, `count` of them, and replaces out. Lists of lines are clipped
+  /// with the most room. Requires a complete framebuffer and a view to be bound, and leaves both unchanged.
+  /// Errors (device): out of memory; the device failed; the driver refuses the shaders.
   Result<void> run(Entries entries, Effort effort, std::size_t count, CellNeighbors& out);
 
  private:

@@ -1,4 +1,4 @@
-/// OpenGL contexts without a window: the one concern of this backend that differs by platform.
+/// OpenGL contexts without a window: the only part of this backend that differs by platform.
 #pragma once
 
 #include <functional>
@@ -10,8 +10,8 @@
 
 namespace vorpipe::opengl {
 
-/// While it lives, a context is current on the thread that entered it; afterwards that thread is
-/// back at what was current before.
+/// While it lives, a context is current on the thread that entered it. Afterwards the thread's previous
+/// context is current again.
 class Scope {
  public:
   explicit Scope(std::function<void()> leave) : leave_(std::move(leave)) {}
@@ -25,7 +25,7 @@ class Scope {
   std::function<void()> leave_;
 };
 
-/// An OpenGL 4.1 core context. It owns every GL object that is made in it: they go when it goes.
+/// An OpenGL 4.1 core context. It owns every GL object that is made in it: they are destroyed with it.
 class Context {
  public:
   struct Native;  ///< the platform's part, in context_egl.cpp or context_cgl.cpp
@@ -41,9 +41,9 @@ class Context {
   std::unique_ptr<Native> native_;
 };
 
-/// Opens a context on each device, in the system's order; an element is an error where a device
-/// gives none. Where only hardware is wanted, devices that the system itself calls software are left out.
-/// Error (device): there is no OpenGL without a display here at all, or none of the drivers wanted.
+/// Opens a context on each device, in the system's order; an element is an error if a device provides none.
+/// If only hardware is wanted, omits devices that the system itself calls software. Error (device): OpenGL
+/// without a display is not available here, or not from the wanted drivers.
 Result<std::vector<Result<Context>>> openContexts(Drivers drivers);
 
 }  // namespace vorpipe::opengl

@@ -1,6 +1,6 @@
-// Contexts through EGL, without a display: on a device (EGL_EXT_platform_device, which Mesa and
-// NVIDIA share), or where no device gives one, on Mesa's surfaceless platform. The default display
-// is never asked for: without an X server or a Wayland compositor that fails, or hangs.
+// Contexts through EGL, without a display: on a device (EGL_EXT_platform_device, which Mesa and NVIDIA
+// share), or where no device gives one, on Mesa's surfaceless platform. The default display is never
+// requested: without an X server or a Wayland compositor that fails, or hangs.
 #include <dlfcn.h>
 #include <epoxy/egl.h>
 #include <fmt/core.h>

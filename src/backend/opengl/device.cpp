@@ -30,7 +30,7 @@ std::string lower(std::string_view mixed) {
   return result;
 }
 
-// OpenGL does not say what kind of device it is; its makers' names do, where it matters for the choice.
+// OpenGL does not report the kind of a device; its makers' names do, where it matters for the choice.
 std::string typeOf(std::string_view renderer, std::string_view vendor) {
   struct Known {
     std::string_view part, type;
@@ -177,7 +177,7 @@ Result<Device> chooseDevice(std::vector<Device> devices, std::string_view wanted
 BackendInfo backendInfo(const Device& device) {
   // Core draws larger pictures in parts of this size.
   constexpr std::uint64_t largest_view = 4096;
-  // As much as an upload and a batch may hold where the device sets no lower limit: 256 MiB of sites or
+  // The most that an upload and a batch may hold if the device sets no lower limit: 256 MiB of sites or
   // lines, 192 MiB of entries and marks.
   constexpr std::uint64_t most_texels = std::uint64_t{1} << 24;
   constexpr std::uint32_t most_entries = std::uint32_t{1} << 22;

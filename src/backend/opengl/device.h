@@ -18,15 +18,15 @@ struct Device {
   std::optional<Context> context;
 };
 
-/// Every device of which openContexts() has a context or an error, as it would be under mask; one that says
-/// why when there is none.
+/// Returns every device for which openContexts() returns a context or an error, as it would be under mask. If
+/// there is none, returns one that says why.
 std::vector<Device> findDevices(const Mask& mask, Drivers drivers);
 
 /// The device named by an index or a part of a name in any case, or the best one if wanted is empty.
 /// Error (device): there is no such device, or it cannot be used.
 Result<Device> chooseDevice(std::vector<Device> devices, std::string_view wanted);
 
-/// What the backend makes of a device.
+/// Returns the BackendInfo for a device.
 BackendInfo backendInfo(const Device& device);
 
 }  // namespace vorpipe::opengl

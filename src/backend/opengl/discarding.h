@@ -1,4 +1,4 @@
-/// Shaders that are run for their feedback alone.
+/// Runs shaders only for their feedback.
 #pragma once
 
 #include "backend/opengl/gl.h"

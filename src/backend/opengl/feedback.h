@@ -12,7 +12,8 @@
 
 namespace vorpipe::opengl {
 
-/// Captures the outputs of what is drawn between begin() and end(), as the program was linked to.
+/// Captures outputs of everything drawn between begin() and end(): those that the program was linked to
+/// capture.
 class Feedback {
  public:
   /// Captures points, lines or triangles, as `primitive` says.
@@ -25,7 +26,7 @@ class Feedback {
   void begin();
 
   /// Waits for the device and passes all captured bytes to `read`: `primitive_bytes` for each primitive, in
-  /// the order drawn. `read` returns whether they make sense. Error (device): they do not, or some were lost.
+  /// the order drawn. `read` returns whether they are valid. Error (device): they are not, or some were lost.
   Result<void> end(std::size_t primitive_bytes,
                    const std::function<bool(std::span<const std::byte>)>& read) const;
 

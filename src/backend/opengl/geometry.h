@@ -16,8 +16,8 @@ class Geometry {
  public:
   Geometry() : feedback_(GL_TRIANGLES) {}
 
-  /// Clips the entries or sites that were sent and draws them into what is bound. status has one element
-  /// for each; one that the device does not answer becomes `missing`. Errors (device): the device failed;
+  /// Clips the entries or sites that were sent and draws them into the bound framebuffer. status has one
+  /// element for each; a missing answer of the device becomes `missing`. Errors (device): the device failed;
   /// the driver refuses the shaders.
   Result<void> draw(Entries entries, Effort effort, std::span<CellStatus> status);
 

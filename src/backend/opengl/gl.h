@@ -1,4 +1,4 @@
-/// OpenGL's functions, and its errors as ours.
+/// OpenGL's functions, and its errors as vorpipe's.
 #pragma once
 
 #include <epoxy/gl.h>
@@ -10,14 +10,14 @@
 
 namespace vorpipe::opengl {
 
-/// Takes every error that OpenGL has noted in the current context. Error (device): there was one;
-/// `doing` says in the message what was being done.
+/// Clears all errors recorded in the current context. Error (device): there was one; the message says with
+/// `doing` what was being done.
 Result<void> takeErrors(std::string_view doing);
 
-/// One of OpenGL's integers.
+/// Returns an integer parameter of OpenGL.
 GLint integer(GLenum name);
 
-/// What OpenGL takes for the position of something in the bound buffer.
+/// Returns a position in the bound buffer in the form that OpenGL expects.
 inline const void* bufferOffset(std::size_t bytes) { return reinterpret_cast<const void*>(bytes); }
 
 }  // namespace vorpipe::opengl

@@ -15,8 +15,8 @@ namespace vorpipe {
 Result<std::unique_ptr<Backend>> makeOpenGlBackend(const BackendOptions& options,
                                                    Drivers drivers = Drivers::any);
 
-/// Every device that OpenGL lists here, as it would be under mask; one entry that says why when there is
-/// none.
+/// Returns every device that OpenGL lists here, as it would be under mask; if there is none, one entry that
+/// says why.
 std::vector<DeviceInfo> listOpenGlDevices(const Mask& mask);
 
 }  // namespace vorpipe

@@ -12,16 +12,16 @@ namespace vorpipe::opengl {
 
 class Picture {
  public:
-  /// Makes one of a single pixel in the current context.
+  /// Creates a picture of one pixel in the current context.
   static Result<Picture> create(int subpixel_bits);
 
-  /// Clears it, at the view's size, and hands the view to the shaders.
+  /// Clears it, at the view's size, and passes the view to the shaders.
   Result<void> begin(const View& view);
 
-  /// Hands the view to the shaders as it lies to sites of that domain, now and from now on.
+  /// Passes the view to the shaders relative to sites of that domain, now and for later views.
   void setDomain(const Box& domain);
 
-  /// Makes it what the next draw call draws into, with the view that begin() was given.
+  /// Makes it the target of the next draw call, with the view passed to begin().
   void bind() const;
 
   /// Reads it back, bottom row first. Both spans hold width * height.

@@ -12,7 +12,8 @@ namespace {
 using GetParameter = void (*)(GLuint, GLenum, GLint*);
 using GetLog = void (*)(GLuint, GLsizei, GLsizei*, GLchar*);
 
-// Shaders and programs are asked alike, by different functions. One line of it, as messages are.
+// Returns the log as one line, like all messages. Shaders and programs are queried alike, by different
+// functions.
 tl::unexpected<Error> failed(std::string_view what, GLuint object, GetParameter parameter, GetLog get_log) {
   GLint length = 0;
   parameter(object, GL_INFO_LOG_LENGTH, &length);

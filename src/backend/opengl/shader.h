@@ -11,7 +11,7 @@
 
 namespace vorpipe::opengl {
 
-/// How many programs there are of a kind: one for each Entries and each of the efforts fast and roomy.
+/// Number of programs of a kind: one for each Entries and each of the efforts fast and roomy.
 inline constexpr std::size_t programs = 6;
 std::size_t programOf(Entries entries, Effort effort);
 
@@ -20,11 +20,10 @@ struct ProgramText {
   std::span<const char* const> captured;        ///< outputs for transform feedback, interleaved
 };
 
-/// One that is compiled when it is first used. Its context owns it.
+/// A program that is compiled on first use. Its context owns it.
 class Program {
  public:
-  /// Makes it the one that is drawn with, from a text that is always the same. Error (device): the driver's
-  /// log.
+  /// Makes it the current program; `text` must be the same in every call. Error (device): the driver's log.
   Result<void> use(const ProgramText& text);
 
  private:

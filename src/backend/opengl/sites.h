@@ -15,14 +15,14 @@ class Sites {
  public:
   Sites();
 
-  /// Replaces what is on the device; palette_index may be empty if nothing will be drawn. Error (device): out
-  /// of memory.
+  /// Replaces the data on the device; palette_index may be empty if nothing will be drawn. Error (device):
+  /// out of memory.
   Result<void> upload(const SiteSet& sites, std::span<const std::uint8_t> palette_index);
 
-  /// Makes the sites `which` what the next draw call takes, a point for each. Error (device): out of memory.
+  /// Makes the sites `which` the input of the next draw call, one point each. Error (device): out of memory.
   Result<void> send(std::span<const std::uint32_t> which);
 
-  /// What they are to a pipeline.
+  /// Returns their kind for a pipeline.
   [[nodiscard]] Entries entries() const { return weighted_ ? Entries::weighted_sites : Entries::sites; }
 
  private:

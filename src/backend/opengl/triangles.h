@@ -1,4 +1,4 @@
-/// Triangles of the caller's, drawn as they are.
+/// Draws the caller's triangles unchanged.
 #pragma once
 
 #include <cstdint>
@@ -15,7 +15,7 @@ class Triangles {
  public:
   Triangles();
 
-  /// Draws them into what is bound. Errors (device): out of memory; the driver refuses the shaders.
+  /// Draws them into the bound framebuffer. Errors (device): out of memory; the driver refuses the shaders.
   Result<void> draw(std::span<const DrawMark> corners, std::span<const std::uint32_t> corner_of);
 
  private:

@@ -33,9 +33,9 @@ Result<OpenedBackend> openVulkan(const BackendOptions& options, Drivers drivers)
       fmt::format("vulkan took vulkan-geometry: vulkan-compute failed ({})", made->without_compute->message));
 }
 
-// What takes over from a backend that fails at work: the others, in the order of the choice. Those that could
-// not be opened before will not open then either. A caller who names a device does not mean the host's
-// processors.
+// Returns the backends that take over when one fails during work: the others, in the order of the choice.
+// Those that could not be opened before will not open then either. A caller who names a device does not mean
+// the host's processors.
 std::vector<std::string> othersAfter(const BackendOptions& options, std::string_view taken) {
   std::vector<std::string> order = {"vulkan-compute", "vulkan-geometry"};
   if (options.name == "auto") {
@@ -49,7 +49,7 @@ std::vector<std::string> othersAfter(const BackendOptions& options, std::string_
   return order;
 }
 
-// Who names a device or has it pretend to be a smaller one means a device, be its driver software.
+// A caller who names or masks a device means a device, even one with a software driver.
 bool meansDevice(const BackendOptions& options) {
   return !options.device.empty() || !options.mask.disabled.empty() || !options.mask.limits.empty();
 }

@@ -1,4 +1,4 @@
-/// Computing with numbers of the caller's.
+/// Computes with the caller's numbers.
 #pragma once
 
 #include <cstdint>
@@ -9,8 +9,8 @@
 
 namespace vorpipe::vulkan {
 
-/// What Backend::compute does, by a compute shader, in parts of at most storage_range bytes. All that it
-/// makes on the device is gone when it returns.
+/// Implements Backend::compute with a compute shader, in parts of at most storage_range bytes. Frees all that
+/// it makes on the device before it returns.
 Result<void> compute(Device& device, std::uint64_t storage_range, std::span<const Operands> operands,
                      std::span<Computed> out);
 

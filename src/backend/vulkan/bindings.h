@@ -16,7 +16,7 @@ class Bindings {
  public:
   /// The bindings of the geometry pipelines.
   static Result<Bindings> create(const Device& device);
-  /// These bindings; with push_bytes of push constants for compute shaders, unless that is 0.
+  /// The given bindings, with push_bytes of push constants for compute shaders, unless that is 0.
   static Result<Bindings> create(const Device& device, std::span<const VkDescriptorSetLayoutBinding> bindings,
                                  std::uint32_t push_bytes);
 

@@ -1,4 +1,4 @@
-/// A buffer that grows when more is asked of it than it holds.
+/// A buffer that grows when more is requested than it holds.
 #pragma once
 
 #include <volk.h>
@@ -23,8 +23,8 @@ class Buffer {
 
   explicit Buffer(const Kind& kind) : kind_(kind) {}
 
-  /// Makes room for `bytes`, which are at most `limit`; what was in the buffer is lost when it has
-  /// to grow. It grows by half at least, up to limit. The device must not be using it.
+  /// Makes room for `bytes`, at most `limit`. The contents are lost if it has to grow. It grows by at least
+  /// half, up to limit. The device must not be using it.
   Result<void> reserve(const Device& device, std::size_t bytes, std::size_t limit);
 
   [[nodiscard]] VkBuffer get() const { return buffer_.get(); }

@@ -1,4 +1,4 @@
-// The part of the backend "vulkan-geometry" that hands cells back as data.
+// The part of the backend "vulkan-geometry" that returns cells as data.
 #include <algorithm>
 #include <array>
 #include <cassert>

@@ -26,8 +26,8 @@
 
 namespace vorpipe::vulkan {
 
-/// Who sorts the sites of an upload into the bins of their grid. Sites with weights are always sorted by the
-/// host.
+/// Where the sites of an upload are sorted into the bins of their grid. The host always sorts sites with
+/// weights.
 enum class SiteSorter : std::uint8_t { host, device };
 
 class ComputeBackend final : public Backend {
@@ -54,7 +54,7 @@ class ComputeBackend final : public Backend {
   std::vector<std::string> validationMessages() override { return instance_.messages().take(); }
 
  private:
-  /// Everything that is made before the backend is.
+  /// Everything that is created before the backend.
   struct Parts {
     Instance instance;
     Device device;
@@ -96,7 +96,7 @@ class ComputeBackend final : public Backend {
   Target target_;
   UploadedSites sites_;
   std::optional<SortedSites> sorted_;
-  bool sorted_here_ = false;  ///< the sites of the upload, by sorted_
+  bool sorted_here_ = false;  ///< whether sorted_ sorted the sites of the upload
   bool weighted_ = false;
   View shown_{{0, 0, 1, 1}, 1, 1, {}};
   Box domain_{0, 0, 1, 1};  ///< of the sites

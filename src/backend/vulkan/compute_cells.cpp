@@ -1,4 +1,4 @@
-// The part of the backend "vulkan-compute" that hands cells back as data.
+// The part of the backend "vulkan-compute" that returns cells as data.
 #include <algorithm>
 #include <cassert>
 #include <new>

@@ -1,4 +1,4 @@
-/// Compute shaders, each made when it is first asked for, and how they are run.
+/// Compute shaders, each created on first use, and how they are run.
 #pragma once
 
 #include <volk.h>
@@ -29,8 +29,8 @@ class ComputeKernels {
 
   static Result<ComputeKernels> create(const Device& device);
 
-  /// Returns the pipeline of a module of shaders.h, for layouts like this one alone. flag is the value of
-  /// the module's specialization constant 0, if it has one.
+  /// Returns the pipeline of a module of shaders.h, only for layouts like this one. flag is the value of the
+  /// module's specialization constant 0, if it has one.
   Result<VkPipeline> kernel(const Device& device, VkPipelineLayout layout, Code code, bool flag = false);
 
  private:
@@ -44,21 +44,21 @@ class ComputeKernels {
 void dispatch(const Device& device, VkCommandBuffer commands, VkPipeline kernel, const Bindings& bindings,
               const Slice& slice, std::size_t invocations);
 
-/// Where the number of groups of a dispatch stands.
+/// Location of the number of groups of a dispatch.
 struct DispatchArguments {
   VkBuffer buffer;
   VkDeviceSize offset;
 };
 
-/// Records as many groups of a kernel as the device finds there.
+/// Records as many groups of a kernel as the device reads there.
 void dispatchIndirect(const Device& device, VkCommandBuffer commands, VkPipeline kernel,
                       const Bindings& bindings, const Slice& slice, const DispatchArguments& arguments);
 
-/// Records that the first `bytes` of a buffer are zero before later shaders write there. The buffer takes
-/// transfers.
+/// Records that the first `bytes` of a buffer are zeroed before later shaders write there. The buffer must
+/// allow transfers.
 void clearBefore(const Device& device, VkCommandBuffer commands, VkBuffer buffer, VkDeviceSize bytes);
 
-/// Records that what shaders have written is there for later shaders.
+/// Records a barrier: later shaders see what shaders have written so far.
 void orderShaders(const Device& device, VkCommandBuffer commands);
 
 }  // namespace vorpipe::vulkan

@@ -36,8 +36,8 @@ Result<Device> Device::open(const Physical& physical, std::span<const char* cons
   device.unrolled_ = physical.capabilities.unrolled_shaders;
   device.pipelines_ = std::make_unique<PipelineLog>(physical.info.name, physical.waiting);
   VORPIPE_TRY(device.prepare(physical.queue_family));
-  // A software device's timestamps come from its rasterizer, which other work does not pass through; the host
-  // waits for such a device while it works, and knows how long that took.
+  // A software device's timestamps come from its rasterizer, which other work does not pass through. The host
+  // waits for such a device while it works, and can measure that time itself.
   if (physical.info.type != "cpu") {
     Result<Clock> clock = Clock::create(physical, device.device_, *device.api_);
     if (!clock) return tl::unexpected(std::move(clock).error());

@@ -18,11 +18,11 @@
 
 namespace vorpipe::vulkan {
 
-/// What commands wait for, and what they signal when they are done. The host waits for them in any case; this
-/// is for who gives and takes images without the host.
+/// What commands wait for, and what they signal when they are done. The host waits for the commands in any
+/// case; semaphores serve to pass images without the host.
 struct Semaphores {
   VkSemaphore before = VK_NULL_HANDLE;    ///< null: nothing
-  VkPipelineStageFlags before_stage = 0;  ///< what of the commands waits
+  VkPipelineStageFlags before_stage = 0;  ///< the stage of the commands that waits
   VkSemaphore after = VK_NULL_HANDLE;     ///< null: nothing
 };
 
@@ -38,18 +38,18 @@ class Device {
   [[nodiscard]] const VolkDeviceTable& api() const { return *api_; }
   [[nodiscard]] VkQueue queue() const { return queue_; }
   [[nodiscard]] const VkPhysicalDeviceMemoryProperties& memory() const { return memory_; }
-  /// Whether it gets shaders with unrolled loops.
+  /// Whether the device gets shaders with unrolled loops.
   [[nodiscard]] bool unrolled() const { return unrolled_; }
   /// Every pipeline of the device is made through this.
   [[nodiscard]] PipelineLog& pipelines() const { return *pipelines_; }
-  /// In bytes; what is more need not be asked for.
+  /// In bytes; larger allocations are not worth requesting.
   [[nodiscard]] std::uint64_t largestAllocation() const { return largest_allocation_; }
 
-  /// Runs what record writes into a command buffer, and waits until it is done and the host sees
-  /// what it wrote.
+  /// Runs what `record` writes into a command buffer. Waits until it is done and its results are visible to
+  /// the host.
   Result<void> run(const std::function<void(VkCommandBuffer)>& record, const Semaphores& semaphores = {});
 
-  /// How long all of that took by the device's own clock; negative if none is read.
+  /// Returns how long all of that took by the device's own clock; negative if none is read.
   [[nodiscard]] double seconds() const { return clock_.seconds(); }
 
  private:

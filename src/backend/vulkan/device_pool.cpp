@@ -14,7 +14,7 @@
 namespace vorpipe::vulkan {
 namespace {
 
-/// A device that is done with as many takes the next.
+/// A device that has finished this many takes the next.
 constexpr std::size_t entries_at_once = std::size_t{1} << 16;
 constexpr std::size_t pixels_at_once = std::size_t{1} << 16;
 
@@ -42,7 +42,7 @@ Result<void> onSlice(const CellBatch<Real>& batch, const Part& part, const Work&
   return work(cut);
 }
 
-/// Has a device draw some of the triangles, with the corners that these have.
+/// Lets a device draw some of the triangles, with only the corners that they use.
 Result<void> onTriangles(std::span<const DrawMark> corners, std::span<const std::uint32_t> corner_of,
                          Backend& device) {
   const auto [least, greatest] = std::ranges::minmax(corner_of);
@@ -154,7 +154,7 @@ class DevicePool final : public Backend {
   std::vector<std::string> validationMessages() override { return ofAll(&Backend::validationMessages); }
 
  private:
-  /// What each device has to say, one after the other.
+  /// Returns what each device reports, one after the other.
   template <class Said>
   std::vector<Said> ofAll(std::vector<Said> (Backend::*said)()) {
     std::vector<Said> all;
@@ -219,8 +219,8 @@ class DevicePool final : public Backend {
     }
   }
 
-  /// Gives the sites to as many devices. A device has none before it is asked for cells by index: when it is
-  /// opened for a batch, the sites of the last upload may be gone.
+  /// Uploads the sites to `count` devices. A device gets them only when it is asked for cells by index. If it
+  /// is opened for a batch, the sites of the last upload may be gone.
   Result<void> giveSites(std::size_t count) {
     if (sites_ == nullptr) return {};  // then no cell is asked for
     VORPIPE_TRY(openDevices(count));
@@ -252,7 +252,8 @@ class DevicePool final : public Backend {
     drawn_[id] = drawings_;
   }
 
-  /// When the cell of an id was drawn last. A pixel that says nonsense was never drawn; it is core's to find.
+  /// Returns when the cell of an id was drawn last. A pixel with an invalid id was never drawn; core detects
+  /// that.
   [[nodiscard]] std::uint64_t drawnAt(std::uint32_t id) const { return id < drawn_.size() ? drawn_[id] : 0; }
 
   OpenDevice open_;

@@ -1,4 +1,4 @@
-/// From VkResult to Error.
+/// Converts VkResult to Error.
 #pragma once
 
 #include <volk.h>
@@ -21,7 +21,7 @@ tl::unexpected<Error> deviceError(std::string message);
 /// The error when the host cannot allocate memory for the answers about `cells` cells.
 tl::unexpected<Error> outOfMemory(std::size_t cells);
 
-/// Nothing for VK_SUCCESS, else an error that names the call, the result and what may help.
+/// Returns success for VK_SUCCESS, else an error that names the call, the result and what may help.
 Result<void> check(VkResult result, std::string_view call);
 
 }  // namespace vorpipe::vulkan

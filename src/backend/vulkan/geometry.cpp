@@ -14,8 +14,8 @@
 namespace vorpipe::vulkan {
 namespace {
 
-// As much as an upload and a batch may hold where the device sets no lower limit: 256 MiB of sites or
-// lines, 16 MiB of statuses.
+// The most that an upload and a batch may hold if the device sets no lower limit: 256 MiB of sites or lines,
+// 16 MiB of statuses.
 constexpr std::uint64_t most_texels = std::uint64_t{1} << 24;
 constexpr std::uint64_t most_entries = std::uint64_t{1} << 22;
 constexpr std::size_t status_bytes = sizeof(std::uint32_t);
@@ -54,7 +54,7 @@ Result<std::unique_ptr<Backend>> GeometryBackend::open(Instance instance, const 
   std::unique_ptr<GeometryBackend> backend(new GeometryBackend(std::move(instance), std::move(*device),
                                                                std::move(*bindings), std::move(*pipelines),
                                                                describe(physical)));
-  // cells() needs no view of the caller's, but the shaders read the block.
+  // cells() needs no view from the caller, but the shaders read the block.
   VORPIPE_TRY(backend->setView(backend->shown_));
   return backend;
 }
@@ -161,7 +161,7 @@ Result<void> GeometryBackend::read(std::span<std::uint32_t> rgba, std::span<std:
   return target_.read(device_, rgba, ids);
 }
 
-// By a compute shader all the same: a device's stages share their arithmetic.
+// Uses a compute shader all the same: all stages of a device share their arithmetic.
 Result<void> GeometryBackend::compute(std::span<const Operands> operands, std::span<Computed> out) {
   return vulkan::compute(device_, info_.max_entries * status_bytes, operands, out);
 }

@@ -15,8 +15,8 @@ constexpr const char* validation_layer = "VK_LAYER_KHRONOS_validation";
 constexpr const char* driver_remedy =
     "install mesa-vulkan-drivers (Debian/Ubuntu) or your GPU's driver, or use --backend cpu";
 
-// volk keeps the entry points in globals. Every instance gets the same ones from the loader, so it
-// is enough that two threads do not write them at once.
+// volk keeps the entry points in globals. Every instance gets the same ones from the loader, so two threads
+// only must not write them at once.
 std::mutex& volkMutex() {
   static std::mutex mutex;
   return mutex;

@@ -13,7 +13,7 @@
 
 namespace vorpipe::vulkan {
 
-/// What the validation layers said; they may speak from any thread that calls Vulkan.
+/// Messages of the validation layers, which may come from any thread that calls Vulkan.
 class MessageLog {
  public:
   void add(std::string message);
@@ -27,9 +27,9 @@ class MessageLog {
 
 class Instance {
  public:
-  /// Loads Vulkan 1.1. With validation, core and synchronization validation are on and every
-  /// warning and error goes to messages(). `extensions` are enabled besides, for those who show what they
-  /// draw. Errors (device): no loader, no driver, no layer, no such extension.
+  /// Loads Vulkan 1.1. With validation, core and synchronization validation are on and every warning and
+  /// error goes to messages(). `extensions` are enabled as well, for callers that show what they draw. Errors
+  /// (device): no loader, no driver, no layer, no such extension.
   static Result<Instance> open(bool validation, std::span<const char* const> extensions = {});
   Instance(Instance&& other) noexcept;
   Instance& operator=(Instance&& other) noexcept;

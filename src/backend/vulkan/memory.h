@@ -1,4 +1,4 @@
-/// Device memory: where it lies and who can see it.
+/// Device memory: where it is and who can access it.
 #pragma once
 
 #include <volk.h>
@@ -14,7 +14,7 @@ namespace vorpipe::vulkan {
 enum class Placement : std::uint8_t {
   device,    ///< only the device uses it
   upload,    ///< the host writes, the device reads: in the device's own memory where that can be mapped
-  download,  ///< the device writes, the host reads: in the host's cached memory where there is such
+  download,  ///< the device writes, the host reads: in the host's cached memory if there is any
 };
 
 /// Allocates memory for `what` (a word for the message) in the best heap that has room for it.

@@ -29,10 +29,10 @@ class Painter {
 
   /// The device must not be drawing.
   Result<void> setPalette(const Device& device, const Palette& palette);
-  /// Records that compute shaders come before, and the drawing over what is there.
+  /// Records a barrier after compute shaders, and the drawing over the picture.
   void record(const Device& device, VkCommandBuffer commands, const Target& target,
               const Triangles& triangles) const;
-  /// Draws the caller's triangles over what is there; at most `most` corners and triangles.
+  /// Draws the caller's triangles over the picture; at most `most` corners and triangles.
   Result<void> draw(Device& device, const Target& target, std::span<const DrawMark> corners,
                     std::span<const std::uint32_t> corner_of, std::uint64_t most);
 

@@ -18,7 +18,7 @@
 namespace vorpipe::vulkan {
 namespace {
 
-// Of cell.geom, which has the most: a position, a mark and a status.
+// Of cell.geom, which has the most components: a position, a mark and a status.
 constexpr std::uint64_t components_per_vertex = 8;
 
 // Of a picture: colors, ids, and one of them on its way to the host.
@@ -95,8 +95,8 @@ Capabilities capabilitiesOf(VkPhysicalDevice device, const VkPhysicalDeviceLimit
   return capabilities;
 }
 
-// What the largest allocation may have, and what is left of the largest heap of the device's own memory: what
-// the driver says is left, or, where it cannot, the whole heap. The device is of Vulkan 1.1.
+// Queries the size limit of one allocation, and the free part of the largest heap of the device's own memory.
+// That is what the driver reports or, if it cannot, the whole heap. The device must support Vulkan 1.1.
 void askForMemory(VkPhysicalDevice device, bool has_budget, Capabilities& capabilities) {
   auto maintenance = structure<VkPhysicalDeviceMaintenance3Properties>(
       VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_MAINTENANCE_3_PROPERTIES);
@@ -178,7 +178,7 @@ std::string whyNot(const Capabilities& capabilities, Pipeline pipeline) {
 
 using Driver = VkPhysicalDeviceDriverProperties;
 
-// Empty where the device does not say.
+// Empty if the device does not report it.
 Driver driverOf(VkPhysicalDevice device, bool says) {
   auto driver = structure<Driver>(VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_DRIVER_PROPERTIES);
   if (!says) return driver;
@@ -210,7 +210,7 @@ Result<Physical> describe(VkPhysicalDevice handle, const Mask& mask, Pipeline pi
   const bool current = properties.apiVersion >= VK_API_VERSION_1_1;
   const Driver driver =
       driverOf(handle, current && contains(*extensions, VK_KHR_DRIVER_PROPERTIES_EXTENSION_NAME));
-  // Others may take forever for shaders that are unrolled: decision D121.
+  // Other drivers may take extremely long for unrolled shaders: decision D121.
   device.capabilities.unrolled_shaders = driver.driverID == VK_DRIVER_ID_MESA_LLVMPIPE;
   if (current) {
     askForMemory(handle, contains(*extensions, VK_EXT_MEMORY_BUDGET_EXTENSION_NAME), device.capabilities);

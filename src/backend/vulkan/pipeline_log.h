@@ -1,4 +1,4 @@
-/// How long the driver takes to make pipelines.
+/// Records how long the driver takes to make pipelines.
 #pragma once
 
 #include <volk.h>
@@ -23,7 +23,7 @@ class PipelineLog {
 
   /// Calls make, which has the driver make the pipeline of that name, and notes how long it took.
   VkResult time(std::string_view name, const std::function<VkResult()>& make);
-  /// What was made since the last call.
+  /// Returns the pipelines made since the last call.
   std::vector<PipelineTime> take();
 
  private:

@@ -17,7 +17,7 @@ namespace vorpipe::vulkan {
 
 using Code = shaders::Spirv;
 
-/// What tells one pipeline from another.
+/// The parts in which pipelines differ.
 struct Pipelines::Stages {
   Code vertex, geometry;
   std::optional<Code> fragment;  ///< none: nothing is rasterized

@@ -1,4 +1,4 @@
-/// The graphics pipelines: shaders and fixed state, each made when it is first asked for.
+/// The graphics pipelines: shaders and fixed state, each created on first use.
 #pragma once
 
 #include <volk.h>
@@ -28,7 +28,7 @@ class Pipelines {
 
   /// Clips and draws, within targetPass().
   Result<VkPipeline> draw(const Device& device, VkPipelineLayout layout, Entries entries, Effort effort);
-  /// Clips and writes neighbors down, within emptyPass(). It reads one mark, whatever it holds, and
+  /// Clips and writes neighbors, within emptyPass(). It reads one mark, whose contents do not matter, and
   /// lists are clipped with the most room.
   Result<VkPipeline> edges(const Device& device, VkPipelineLayout layout, Entries entries, Effort effort);
 

@@ -44,7 +44,7 @@ inline constexpr Use copied{VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL, VK_PIPELINE_ST
                             VK_ACCESS_TRANSFER_READ_BIT};
 inline constexpr Use sampled{VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL, VK_PIPELINE_STAGE_FRAGMENT_SHADER_BIT,
                              VK_ACCESS_SHADER_READ_BIT};
-/// What was drawn is not needed any more.
+/// The drawn contents are no longer needed.
 inline constexpr Use forgotten{VK_IMAGE_LAYOUT_UNDEFINED, drawn.stage, drawn.access};
 
 /// Records that images go from one use to another.

@@ -1,4 +1,4 @@
-/// Shaders as Vulkan takes them.
+/// Shader modules of Vulkan.
 #pragma once
 
 #include <volk.h>

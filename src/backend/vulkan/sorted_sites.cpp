@@ -152,7 +152,7 @@ Result<void> SortedSites::reserve(const Device& device, const Sizes& sizes, cons
 
 void SortedSites::send(const SiteSet& sites) {
   SiteGridUniform block = siteGridUniform(sites);
-  // The device's bins are off by as many roundings again.
+  // The device's own bins add as many rounding errors again.
   block.slack *= 2;
   std::memcpy(grid_.data(), &block, sizeof(block));
   writeSiteTexels(sites, sites_.data());

@@ -1,8 +1,8 @@
 /// The sites of an upload, sorted into the bins of their grid by the device.
 ///
 /// The host's own grid (Grid::offsets) is not read, and sites may come in any order: a counting sort finds
-/// the bin of each in float, within SiteGridUniform::slack. In a bin they stand by their index in the set.
-/// That order takes a second sort of each bin: the counting sort leaves sites in the order in which
+/// the bin of each in float, within SiteGridUniform::slack. Inside a bin they are ordered by index in the
+/// set. That order requires a second sort of each bin: the counting sort leaves sites in the order in which
 /// invocations arrive. A site's rank is its index in the result. All buffers that the search reads lie in the
 /// device's own memory.
 #pragma once
@@ -31,7 +31,7 @@ class SortedSites {
   Result<void> upload(Device& device, Bindings& search, const SiteSet& sites,
                       std::span<const std::uint8_t> palette_index, const BackendInfo& limits);
 
-  /// Where each bin begins, and the number of sites: as uint32, one more than there are bins.
+  /// Where each bin begins, then the number of sites, as uint32: one more than there are bins.
   [[nodiscard]] VkBuffer starts() const { return starts_.get(); }
   /// By rank, the index of the site in the set, as uint32.
   [[nodiscard]] VkBuffer siteOfRank() const { return site_of_rank_.get(); }

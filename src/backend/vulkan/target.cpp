@@ -118,7 +118,8 @@ Result<void> Target::read(Device& device, std::span<std::uint32_t> rgba, std::sp
   return readPlane(device, id_, ids);
 }
 
-// One after the other by the same way, which so takes no more memory than an image.
+// Planes are read one after the other through the same buffer, which thus takes no more memory than one
+// image.
 Result<void> Target::readPlane(Device& device, const Plane& plane, std::span<std::uint32_t> to) {
   const VolkDeviceTable& api = device.api();
   const std::array images = {plane.image.get()};

@@ -1,4 +1,4 @@
-/// The picture: a color image, an id image, and the way back to the host.
+/// The picture: a color image, an id image, and their transfer to the host.
 #pragma once
 
 #include <volk.h>
@@ -28,7 +28,7 @@ class Target {
  public:
   /// Replaces the images unless they have this size already.
   Result<void> resize(const Device& device, VkRenderPass pass, std::uint32_t width, std::uint32_t height);
-  /// Color 0 and no_site everywhere.
+  /// Sets color 0 and no_site everywhere.
   Result<void> clear(Device& device) const;
   /// Rows as they lie in memory. Both spans hold width * height.
   Result<void> read(Device& device, std::span<std::uint32_t> rgba, std::span<std::uint32_t> ids);

@@ -1,4 +1,4 @@
-/// Polygons in memory of the device become a list of triangles there, for an indirect draw.
+/// Converts polygons in device memory to a list of triangles there, for an indirect draw.
 #pragma once
 
 #include <volk.h>
@@ -21,8 +21,8 @@ class TriangleList {
   Result<void> reserve(const Device& device, std::size_t polygons, std::size_t room);
   /// Makes what record() needs.
   Result<void> prepare(const Device& device, ComputeKernels& kernels);
-  /// Records the way from the first `polygons` of counts() to indices() and arguments(), in the order of
-  /// the polygons. The counts have been ordered before.
+  /// Records the computation of indices() and arguments() from the first `polygons` of counts(), in the order
+  /// of the polygons. The caller has already synchronized the counts.
   void record(const Device& device, VkCommandBuffer commands, std::size_t polygons) const;
 
   /// How many triangles each polygon has, as uint32: the device writes it.

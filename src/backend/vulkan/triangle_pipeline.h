@@ -11,7 +11,7 @@
 
 namespace vorpipe::vulkan {
 
-/// In which they differ.
+/// The parts in which these pipelines differ.
 struct TriangleParts {
   shaders::Spirv vertex, fragment;
   VkVertexInputBindingDescription vertices;

@@ -38,7 +38,7 @@ constexpr std::array<NamedTable, 5> tables = {{{"scaling", bench::scaling, true}
                                                {"thesis", bench::thesis, true}}};
 
 constexpr int most_repetitions = 1000;
-/// Of the quick selection, and of whole tables, which end with fewer by themselves.
+/// Limits for the quick selection, and for whole tables, which may end with fewer by themselves.
 constexpr std::uint64_t quick_sites = 100'000, all_sites = 16'000'000;
 constexpr std::uint64_t quick_side = 2000;
 
@@ -64,7 +64,7 @@ std::vector<const NamedTable*> wantedTables(const BenchCommand& command) {
   return wanted;
 }
 
-/// Opens each backend that was named, which must be possible, or each that can be opened.
+/// Opens all named backends, each of which must work; without names, all that can be opened.
 Result<std::vector<bench::OpenedDevice>> openBackends(const BenchCommand& command,
                                                       std::vector<std::string>& unusable) {
   std::vector<bench::OpenedDevice> opened;
@@ -87,7 +87,7 @@ Result<std::vector<bench::OpenedDevice>> openBackends(const BenchCommand& comman
   return opened;
 }
 
-/// Why a job would not fit into this machine's memory, or what --memory-limit leaves of it.
+/// Returns why a job would not fit into this machine's memory, or into --memory-limit.
 std::string refusal(const bench::Job& job, std::uint64_t sites, std::optional<std::uint64_t> limit) {
   Workload work;
   work.sites = sites;
@@ -139,7 +139,7 @@ Result<bench::Settings> settingsOf(const BenchCommand& command,
   return settings;
 }
 
-/// Measures table by table; `say` gets the text of each as soon as it is there.
+/// Measures table by table; passes the text of each to `say` as soon as it is ready.
 Result<bench::Findings> measure(const BenchCommand& command, bench::Lab& lab,
                                 const std::function<void(const std::string&)>& say) {
   bench::Findings all;
@@ -155,7 +155,7 @@ Result<bench::Findings> measure(const BenchCommand& command, bench::Lab& lab,
   return all;
 }
 
-/// The files that were asked for, with what is written to each.
+/// A requested file, with the text to write to it.
 struct Output {
   std::string path;
   std::function<std::string()> text;
@@ -218,8 +218,7 @@ Result<ExitCode> bench(const BenchCommand& command) {
       fmt::format("{} measurements failed, as {}", lab.failures().size(), lab.failures().front()));
 }
 
-/// What is wrong with the name of a table; nothing if it is one.
-/// The names that TABLE takes.
+/// Returns the names that TABLE accepts.
 std::vector<std::string> tableNames() {
   std::vector<std::string> names;
   for (const NamedTable& table : tables) names.emplace_back(table.name);

@@ -43,19 +43,19 @@ struct CellsCommand {
   std::optional<std::uint64_t> memory_limit;
 };
 
-/// The output files that were asked for, in the order in which they are created.
+/// Returns the requested output files, in the order in which they are created.
 std::vector<std::string> outputPaths(const CellsCommand& command) {
   std::vector<std::string> paths = command.targets.paths();
   if (!command.stats.empty()) paths.push_back(command.stats);
   return paths;
 }
 
-/// The parts of the cells that the outputs and the check need.
+/// Returns the parts of the cells that the outputs and the check need.
 Detail neededDetail(const CellsCommand& command) {
   return command.check ? Detail::everything : command.targets.detail();
 }
 
-/// How the input is read: attributes only where an output carries them.
+/// Returns the options of the input: reads attributes only if an output carries them.
 InputOptions inputOptions(const CellsCommand& command) {
   InputOptions options = command.input;
   options.reading.attributes = command.targets.carryAttributes();
@@ -68,7 +68,7 @@ std::uint64_t bytesOf(std::span<const Attribute> attributes) {
   return bytes;
 }
 
-/// What a run takes; the density may not have been read yet, nor the input.
+/// Returns the memory plan of a run; the density and the input may not have been read yet.
 PlanRun planOf(const CellsCommand& command, std::uint64_t density_pixels, std::uint64_t attribute_bytes = 0) {
   return [&command, density_pixels, attribute_bytes](MemoryPlan& plan, Workload work) {
     work.density_pixels = density_pixels;
@@ -88,7 +88,7 @@ std::optional<double> massSum(const Diagram& diagram) {
   return std::accumulate(diagram.mass.begin(), diagram.mass.end(), 0.0);
 }
 
-/// The topology of a diagram whose edges are to be written; else nothing.
+/// Returns the topology of a diagram if its edges are written; else an empty one.
 Result<Topology> topologyFor(const CellsCommand& command, const Diagram& diagram) {
   if (command.targets.edges.empty()) return {};
   return topologyOf(diagram, command.backend.threads);
@@ -123,7 +123,7 @@ Result<void> writeFiles(const CellsCommand& command, const Input& input, const D
   return written;
 }
 
-/// What a run begins with, and what it ends with.
+/// What a run has from its beginning, and needs at its end.
 struct Frame {
   RunLog& log;
   std::span<const std::string> paths;
@@ -141,7 +141,7 @@ void printMissing(const TalkOptions& talk, std::uint64_t sites, const Report& re
   printNote(fmt::format("{} of {} sites have no cell: they lie outside the domain", report.empty, sites));
 }
 
-/// Measures cells in tiles, and writes that.
+/// Measures cells in tiles, and writes the measures.
 Result<ExitCode> measureInTiles(const CellsCommand& command, const TiledInput& input, Session& session,
                                 const Frame& frame) {
   const SitesInPlace places = input.places();
@@ -179,7 +179,7 @@ Result<ExitCode> measureInTiles(const CellsCommand& command, const TiledInput& i
   return exit_done;
 }
 
-/// The sites of a run, mapped where it is one in tiles.
+/// Loads the sites of a run, mapped if it is tiled.
 Result<TiledInput> loadSitesOf(const CellsCommand& command) {
   if (isTiled(command)) return loadTiled(inputOptions(command), command.backend.threads);
   auto input = loadInput(inputOptions(command));
@@ -187,13 +187,13 @@ Result<TiledInput> loadSitesOf(const CellsCommand& command) {
   return TiledInput{std::move(*input), std::nullopt};
 }
 
-/// What a run takes whose sites are not known yet.
+/// Returns the memory plan of a run whose sites are not known yet.
 PlanRun planBefore(const CellsCommand& command) {
   if (!isTiled(command)) return planOf(command, command.density.empty() ? 0 : 1);
   return [](MemoryPlan& plan, const Workload& work) { planTiles(plan, work, least_tile); };
 }
 
-/// What else a run that needs too much memory is told.
+/// Returns further advice for a run that needs too much memory.
 std::string_view adviceOn(const CellsCommand& command) {
   const bool may_be_tiled = !command.targets.only_measures && command.surface == Surface::none &&
                             !command.check && command.density.empty() && command.targets.edges.empty() &&
@@ -201,7 +201,7 @@ std::string_view adviceOn(const CellsCommand& command) {
   return may_be_tiled ? "; areas, centroids and numbers of neighbors alone need less: --detail measures" : "";
 }
 
-/// What is computed, but for the progress; notes on its density are added to the input.
+/// Returns the options of the cells, except the progress; adds notes on the density to the input.
 Result<CellsOptions> cellsOptions(const CellsCommand& command, Input& input) {
   CellsOptions options{};
   auto density = densityOf(command.density);
@@ -216,7 +216,7 @@ Result<CellsOptions> cellsOptions(const CellsCommand& command, Input& input) {
   return options;
 }
 
-/// Refuses what cells that end in air do not have.
+/// Rejects options that cells with a free surface do not support.
 Result<void> checkSurface(const CellsCommand& command) {
   if (command.surface == Surface::none) return {};
   if (command.check) return inputError("--check: what verifies cells does not know free surfaces");
@@ -224,7 +224,7 @@ Result<void> checkSurface(const CellsCommand& command) {
   return inputError("--edges: cells with a free surface have arcs between them and air; -o has them");
 }
 
-/// Refuses a --format that nothing takes.
+/// Rejects a --format that no input or output uses.
 Result<void> checkFormat(const CellsCommand& command) {
   const bool given = !command.input.format.output.empty();
   if (!given || command.input.sites == "-" || command.targets.useStandardOutput()) return {};

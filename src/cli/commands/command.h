@@ -12,7 +12,7 @@ void addFluid(CommandLine& line);
 void addTransport(CommandLine& line);
 void addDiff(CommandLine& line);
 void addCompare(CommandLine& line);
-/// `line` must stay where it is: it parses again.
+/// `line` must stay in place: the run parses with it again.
 void addRerun(CommandLine& line);
 void addDevices(CommandLine& line);
 void addBench(CommandLine& line);

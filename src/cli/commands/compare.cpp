@@ -41,7 +41,7 @@ std::vector<std::string> outputPaths(const CompareCommand& command) {
   return paths;
 }
 
-/// Adds the promises that are broken, after the backend's name and what broke them.
+/// Adds the broken promises, prefixed with the backend's name and what broke them.
 Result<void> addBroken(std::string_view name, std::string_view what,
                        const Result<std::vector<std::string>>& found, std::vector<std::string>& broken) {
   if (!found) return tl::unexpected(found.error());
@@ -64,7 +64,7 @@ Result<BackendRun> runBackend(const CompareCommand& command, const std::string& 
                               RenderOptions picture) {
   BackendOptions backend = command.backend;
   backend.name = name;
-  // A name belongs to backends that have devices to choose from.
+  // A device name applies only to backends with devices to choose from.
   if (name == "cpu") backend.device.clear();
   auto session = Session::open(backend);
   if (!session) return tl::unexpected(std::move(session.error()));
@@ -87,7 +87,8 @@ Result<BackendRun> runBackend(const CompareCommand& command, const std::string& 
   return run;
 }
 
-/// Runs every backend; none when the validation layers spoke, after printing what they said.
+/// Runs every backend. Returns no runs if the validation layers reported anything, after printing their
+/// messages.
 Result<std::vector<BackendRun>> runBackends(const CompareCommand& command, const Input& input,
                                             const RenderOptions& options) {
   std::vector<BackendRun> runs;
@@ -126,7 +127,8 @@ Result<void> writeFiles(const CompareCommand& command, const Comparison& compari
   return writeOutputs(files, writers, log, stats);
 }
 
-/// Pictures and cells of every backend are kept, while its session is not; then every pair is compared.
+/// Plans the memory: keeps pictures and cells of every backend, but not its session; then compares every
+/// pair.
 PlanRun planOf(const CompareCommand& command, const PictureSize& size) {
   return [&command, size](MemoryPlan& plan, Workload work) {
     for (const std::string& name : command.backends) {
@@ -146,7 +148,7 @@ PlanRun planOf(const CompareCommand& command, const PictureSize& size) {
   };
 }
 
-/// The input and what is drawn of it, or why that cannot be.
+/// Returns what to draw of the input, or why that is impossible.
 Result<RenderOptions> checkedOptions(const CompareCommand& command, const Input& input) {
   const int threads = command.backend.threads;
   auto options = pictureOf(command.picture, command.input, input);
@@ -155,7 +157,7 @@ Result<RenderOptions> checkedOptions(const CompareCommand& command, const Input&
   return options;
 }
 
-/// Forecasts the run, as if every device were software: which are is only known once they are open.
+/// Forecasts the run as if every device were software: which ones are is known only once they are open.
 Result<std::uint64_t> forecastAll(const CompareCommand& command, const Input& input,
                                   const RenderOptions& options) {
   DeviceInfo software;

@@ -18,8 +18,8 @@ struct DevicesCommand {
   bool json = false;
 };
 
-/// A device with its index within its backend, which is what --device takes; none for the entry that
-/// says why a backend has no device.
+/// A device with its index within its backend, for --device; none for an entry that says why a backend has no
+/// device.
 struct IndexedDevice {
   DeviceInfo info;
   std::optional<int> index;

@@ -33,7 +33,7 @@ struct DiffCommand {
   TalkOptions talk;
 };
 
-/// What a comparison came to: nothing to say on standard error where the two agree.
+/// The outcome of a comparison: `difference`, for standard error, is empty if the two agree.
 struct DiffOutcome {
   std::string agreement, difference;
   Picture picture;
@@ -41,7 +41,7 @@ struct DiffOutcome {
 
 bool namesIds(const std::string& path) { return lowerExtension(path) == ".npy"; }
 
-/// Refuses ids of other sites: nothing can be told of their ties.
+/// Rejects ids of other sites: their ties cannot be determined.
 Result<void> checkIds(const std::string& path, const Image& image, const Sites& sites) {
   const auto names_none = [&](std::uint32_t id) { return id != no_site && id >= sites.size(); };
   const auto found = std::ranges::find_if(image.ids, names_none);

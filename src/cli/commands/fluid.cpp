@@ -40,7 +40,7 @@ struct FluidCommand {
   std::optional<std::uint64_t> memory_limit;
 };
 
-/// Why a run ended, in a word.
+/// Why a run ended.
 enum class RunEnd : std::uint8_t { time, steps, seconds, areas, interrupted };
 
 std::string_view endWordOf(RunEnd end) {
@@ -51,12 +51,12 @@ std::string_view endWordOf(RunEnd end) {
 struct FluidOutcome {
   FluidState state;
   FluidStep first, last;
-  double worst = 0, drift = 0;  ///< the largest of all steps
+  double worst = 0, drift = 0;  ///< the largest over all steps
   RunEnd end = RunEnd::time;
   bool has_exploded = false;
   double epsilon = 0;
   Report report;
-  std::vector<std::string> told;  ///< notes that were printed before the first step
+  std::vector<std::string> told;  ///< notes printed before the first step
 };
 
 Result<void> note(const FluidStep& step, FluidOutcome& outcome, FluidRecord& record) {
@@ -69,7 +69,7 @@ Result<void> note(const FluidStep& step, FluidOutcome& outcome, FluidRecord& rec
   return record.addRow(step);
 }
 
-/// Whether the options end the run before its next step.
+/// Returns why the options end the run before its next step; none if they do not.
 std::optional<RunEnd> endedBy(const FluidChoices& choices, const FluidOutcome& outcome,
                               const Stopwatch& watch) {
   if (choices.steps && outcome.last.step - outcome.first.step >= *choices.steps) return RunEnd::steps;
@@ -82,7 +82,7 @@ RunEnd endOf(FluidEnd end) {
   return end == FluidEnd::areas ? RunEnd::areas : RunEnd::time;
 }
 
-/// The report with notes that were not printed before, in the words of the command line.
+/// Returns the report with only the notes not printed before, in the words of the command line.
 Report withNewNotes(Report report, const std::vector<std::string>& told) {
   std::erase_if(report.notes,
                 [&](const std::string& note) { return std::ranges::find(told, note) != told.end(); });
@@ -92,7 +92,7 @@ Report withNewNotes(Report report, const std::vector<std::string>& told) {
   return report;
 }
 
-/// Makes the steps, and writes what is written on the way.
+/// Makes the steps, and writes the files that grow during the run.
 Result<FluidOutcome> flow(const FluidCommand& command, Session& session, FluidSetup setup,
                           FluidRecord& record, RunLog& log) {
   const Stopwatch watch;
@@ -101,7 +101,7 @@ Result<FluidOutcome> flow(const FluidCommand& command, Session& session, FluidSe
   auto fluid = Fluid::begin(session, std::move(setup.state), std::move(setup.options));
   if (!fluid) return asFluidOption(std::move(fluid.error()), command.choices);
   const FluidOptions& options = fluid->options();
-  // What is wrong from the beginning is said before a long run.
+  // Prints initial notes before a long run.
   FluidOutcome outcome;
   printNotes(command.talk, withNewNotes(fluid->report(), {}));
   outcome.told = fluid->report().notes;
@@ -138,7 +138,7 @@ Result<FluidOutcome> flow(const FluidCommand& command, Session& session, FluidSe
   return outcome;
 }
 
-/// Refuses options that nothing takes.
+/// Rejects options that nothing uses.
 Result<void> checkCommand(const FluidCommand& command, const FluidSetup& setup, const Invocation& how) {
   const FluidTargets& targets = command.targets;
   if (targets.paths().empty() && targets.checkpoint.empty() && targets.trace.empty() &&
@@ -206,7 +206,7 @@ std::string fluidSummary(const FluidOutcome& outcome, const FluidOptions& option
       endWordOf(outcome.end), first.energy(), last.energy(), outcome.worst);
 }
 
-/// What an end that is not the wanted one asks for.
+/// Returns the exit code, and prints an error for an unwanted end.
 ExitCode exitFor(const FluidOutcome& outcome) {
   if (outcome.end == RunEnd::interrupted) {
     printError(fmt::format("interrupted: the files have the fluid after step {}", outcome.last.step));
@@ -244,7 +244,7 @@ Result<ExitCode> fluid(FluidCommand& command, const Invocation& how) {
   auto files = openOutputs(command.targets.paths());
   if (!files) return tl::unexpected(std::move(files.error()));
   VORPIPE_TRY(checkApart(command.targets, *files));
-  // What is resumed from may be where the checkpoints go.
+  // A resumed run may write checkpoints to the file that it resumes from.
   if (command.choices.resume.empty()) {
     for (const std::string& path : {command.targets.checkpoint, command.targets.trace}) {
       VORPIPE_TRY(checkNotRead(std::span(&path, 1)));

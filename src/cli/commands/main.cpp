@@ -31,7 +31,7 @@ int exitCode(const Error& error) {
   return exit_device;
 }
 
-/// The code of what was done, where standard output took what was said of it.
+/// Returns the exit code, after checking that all output reached standard output.
 int afterOutput(int code) {
   if (std::fflush(stdout) == 0 && std::ferror(stdout) == 0) return code;
   printError("standard output: writing failed");

@@ -62,7 +62,7 @@ Parsed<double> parseMoveTolerance(std::string_view text) {
   return tl::unexpected(fmt::format("{} is not a number of 0 or more", *number));
 }
 
-/// The output files that were asked for, in the order in which they are created.
+/// Returns the requested output files, in the order in which they are created.
 std::vector<std::string> outputPaths(const RelaxCommand& command) {
   return command.targets.pathsWith({command.targets.trace, command.stats});
 }
@@ -72,8 +72,8 @@ std::string_view endWordOf(RelaxEnd end) {
   return words[static_cast<std::size_t>(end)];
 }
 
-/// What a run takes: sites and steps beside the cells of a diagram, then what files take;
-/// `domain` as far as it is known.
+/// Returns the memory plan of a run: sites and steps besides the cells of a diagram, then files; `domain` if
+/// known.
 PlanRun planOf(const RelaxCommand& command, std::uint64_t density_pixels,
                const std::optional<Box>& domain = {}) {
   return [&command, density_pixels, domain](MemoryPlan& plan, Workload work) {
@@ -90,7 +90,7 @@ PlanRun planOf(const RelaxCommand& command, std::uint64_t density_pixels,
   };
 }
 
-/// A run that is under way.
+/// A run in progress.
 struct RelaxRun {
   const RelaxCommand& command;
   ResultJob job;
@@ -112,7 +112,7 @@ Result<void> saveNumbered(RelaxRun& run, Session& session, const Relaxation& rel
   return commitAll(*numbered);
 }
 
-/// "relax 12/50, 1.0334".
+/// Returns e.g. "relax 12/50, 1.0334".
 std::string progressText(std::uint64_t diagram, const RelaxStep& step, std::uint64_t iterations) {
   const std::string at = fmt::format("relax {}/{}", diagram, iterations);
   return std::isfinite(step.hexagonal) ? fmt::format("{}, {:.4f}", at, step.hexagonal)
@@ -140,7 +140,7 @@ Result<Relaxed> relaxIn(RelaxRun& run, Session& session, RelaxOptions options) {
   return Relaxed{relaxation->sites(), relaxation->trace(), relaxation->end(), relaxation->report()};
 }
 
-/// What is relaxed, but for the progress.
+/// Returns the options of the relaxation, except the progress.
 RelaxOptions relaxOptions(const RelaxCommand& command, const Input& input, const Density& density) {
   RelaxOptions options{};
   options.domain = input.domain;
@@ -192,7 +192,7 @@ Result<void> writeFiles(RelaxRun& run, Session& session, const Relaxed& relaxed,
   return writeOutputs(run.files, writers, run.log, json);
 }
 
-/// Refuses options that nothing takes, and gives standard output its format.
+/// Rejects options that nothing uses, and sets the format of standard output.
 Result<void> checkCommand(RelaxCommand& command, const Invocation& how) {
   if (outputPaths(command).empty() && how.stats == nullptr) {
     return inputError(

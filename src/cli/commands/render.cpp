@@ -39,7 +39,7 @@ struct RenderCommand {
   std::optional<std::uint64_t> memory_limit;
 };
 
-/// The output files that were asked for, in the order in which they are created.
+/// Returns the requested output files, in the order in which they are created.
 std::vector<std::string> outputPaths(const RenderCommand& command) {
   std::vector<std::string> paths;
   for (const PictureFile& file : command.files.pictures) paths.push_back(file.path);
@@ -51,12 +51,12 @@ std::vector<std::string> outputPaths(const RenderCommand& command) {
 
 DrawingNeeds needsOf(const PictureFiles& files) { return {files.needPixels(), files.needCells()}; }
 
-/// What images of sites in a periodic domain are for.
+/// Returns what the images of sites in a periodic domain are for.
 ImagesFor imagesOf(const RenderCommand& command) {
   return command.files.needCells() ? ImagesFor::cells : imagesFor(command.picture.render);
 }
 
-/// What a run takes; `options` are those of the picture, as far as they are known.
+/// Returns the memory plan of a run; `options` are those of the picture, as far as known.
 PlanRun planOf(const RenderCommand& command, const RenderOptions& options) {
   return [&command, &options](MemoryPlan& plan, const Workload& work) {
     planSession(plan, work);
@@ -93,7 +93,7 @@ Result<void> writeFiles(const RenderCommand& command, const Input& input, const 
   return writeOutputs(files, writers, log, json);
 }
 
-/// Refuses what pictures of cells that end in air do not have.
+/// Rejects options that pictures of cells with a free surface do not support.
 Result<void> checkSurface(const RenderCommand& command, const Sites& sites, const RenderOptions& options) {
   if (command.surface == Surface::none) return {};
   if (command.check) return inputError("--check: what verifies cells does not know free surfaces");

@@ -29,7 +29,7 @@ struct RerunCommand {
 
 using File = std::unique_ptr<std::FILE, int (*)(std::FILE*)>;
 
-/// The arguments of the run, but for --stats: what it wrote stays as evidence.
+/// Returns the arguments of the run, except --stats: its file is kept as evidence.
 Result<std::vector<std::string>> argumentsAgain(const RerunCommand& command, const DeclaredProgram& program,
                                                 const RecordedRun& run) {
   const auto sub = std::ranges::find(program.subcommands, run.arguments.front(), &DeclaredSubcommand::name);
@@ -53,7 +53,7 @@ Result<std::vector<std::string>> argumentsAgain(const RerunCommand& command, con
   return again;
 }
 
-/// Standard input can be read once, and is needed twice: here, and by the run. So it becomes a file.
+/// Copies standard input to a file: it can be read only once, but is needed here and by the run.
 Result<Contents> keepStandardInput() {
   auto input = InputFile::open("-");
   if (!input) return tl::unexpected(std::move(input.error()));
@@ -78,7 +78,7 @@ Result<Contents> keepStandardInput() {
   return hash.contents();
 }
 
-/// Refuses (input) inputs that are not as they were.
+/// Error (input): an input has changed.
 Result<void> checkInputs(const RerunCommand& command, const RecordedRun& run) {
   std::vector<std::string> changed;
   for (const LoggedFile& file : run.inputs) {
@@ -95,7 +95,7 @@ Result<void> checkInputs(const RerunCommand& command, const RecordedRun& run) {
   return inputError(fmt::to_string(fmt::join(changed, "; ")));
 }
 
-/// Runs the arguments as main does; `stats` gets what the run would tell of itself, if it comes so far.
+/// Runs the arguments as main does; `stats` receives the run's --stats text, if the run gets that far.
 Result<ExitCode> runAgain(CommandLine& line, const std::vector<std::string>& arguments, std::string& stats) {
   std::vector<std::string> words = arguments;
   words.insert(words.begin(), "vorpipe");
@@ -103,7 +103,7 @@ Result<ExitCode> runAgain(CommandLine& line, const std::vector<std::string>& arg
   pointers.reserve(words.size());
   for (std::string& word : words) pointers.push_back(word.data());
   const auto run = line.parse(static_cast<int>(pointers.size()), pointers.data());
-  // What was wrong stands on standard error.
+  // The error is already on standard error.
   if (!run) return static_cast<ExitCode>(run.error());
   return (*run)({arguments, &stats});
 }
@@ -122,7 +122,7 @@ void noteChanges(const RerunCommand& command, const RecordedRun& then, const Rec
   note("device", then.device, now.device);
 }
 
-/// What differs, a part for each file.
+/// Returns the differences, one text per file.
 std::vector<std::string> differences(const RecordedRun& then, const RecordedRun& now) {
   std::vector<std::string> parts;
   const std::size_t both = std::min(then.outputs.size(), now.outputs.size());
@@ -141,7 +141,7 @@ std::vector<std::string> differences(const RecordedRun& then, const RecordedRun&
   return parts;
 }
 
-/// JSON has no bytes that are not UTF-8: reports have a character for each, and no name is meant by it.
+/// JSON cannot hold bytes that are not UTF-8: reports replace each by a character, so such a name is lost.
 Result<void> checkNames(const RerunCommand& command, const std::vector<std::string>& arguments) {
   constexpr std::string_view replaced = "\xEF\xBF\xBD";
   const auto lost = [&](const std::string& argument) { return argument.find(replaced) != std::string::npos; };

@@ -27,14 +27,14 @@ struct SelftestCommand {
   std::string json;
 };
 
-/// What was found, and on which machine.
+/// Returns the findings and the machine as JSON.
 std::string jsonOf(const SelftestReport& report) {
   auto json = selftestJson(report);
   json["machine"] = bench::json(bench::thisMachine());
   return jsonText(json, 1);
 }
 
-/// The first fault, in one line.
+/// Returns the first fault, in one line.
 std::string firstFault(const SelftestReport& report) {
   for (const SelftestDevice& device : report.devices) {
     const std::string name = fmt::format("{} {}", device.info.backend, device.index);

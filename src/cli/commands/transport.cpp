@@ -51,13 +51,13 @@ Parsed<double> parseTolerance(std::string_view text) {
   return tl::unexpected(fmt::format("{} is not a number above 0", *number));
 }
 
-/// The output files that were asked for, in the order in which they are created.
+/// Returns the requested output files, in the order in which they are created.
 std::vector<std::string> outputPaths(const TransportCommand& command) {
   return command.targets.pathsWith({command.weights, command.targets.trace, command.stats});
 }
 
-/// What a run takes: cells, the matrix and the levels of its solver, then what files take;
-/// `domain` as far as it is known.
+/// Returns the memory plan of a run: cells, the matrix and the levels of its solver, then files; `domain` if
+/// known.
 PlanRun planOf(const TransportCommand& command, std::uint64_t density_pixels,
                const std::optional<Box>& domain = {}) {
   return [&command, density_pixels, domain](MemoryPlan& plan, Workload work) {
@@ -81,7 +81,7 @@ PlanRun planOf(const TransportCommand& command, std::uint64_t density_pixels,
   };
 }
 
-/// Refuses options that nothing takes, and gives standard output its format.
+/// Rejects options that nothing uses, and sets the format of standard output.
 Result<void> checkCommand(TransportCommand& command, const Invocation& how) {
   if (outputPaths(command).empty() && how.stats == nullptr) {
     return inputError(
@@ -97,7 +97,7 @@ Result<void> checkCommand(TransportCommand& command, const Invocation& how) {
   return takeFormat(command.targets, command.input);
 }
 
-/// What is sought, but for the scale of its masses.
+/// Returns the options of the transport, except the scale of its masses.
 TransportOptions transportOptions(const TransportCommand& command, const Input& input, const Density& density,
                                   std::vector<double> masses) {
   TransportOptions options{};
@@ -114,7 +114,7 @@ TransportOptions transportOptions(const TransportCommand& command, const Input& 
   return options;
 }
 
-/// A run that is under way.
+/// A run in progress.
 struct TransportRun {
   const TransportCommand& command;
   const ResultJob& job;

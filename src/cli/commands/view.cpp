@@ -55,7 +55,8 @@ Parsed<view::WindowApi> parseWindow(std::string_view text) {
   return tl::unexpected(fmt::format("{} is not {}", inQuotes(text), anyOf(windowNames())));
 }
 
-/// By what is asked for; else by the backend's own, or the first that works. `shown_by` becomes its name.
+/// Opens a window by the requested API; else by the backend's own, or the first that works. Sets `shown_by`
+/// to its name.
 Result<view::Window> openWindow(const ViewCommand& command, std::string& shown_by) {
   view::WindowOptions options;
   options.width = command.size.width;
@@ -84,7 +85,7 @@ PlanRun planOf(const ViewCommand& command) {
   };
 }
 
-/// Ends the window in order where a signal asks for it: films are finished.
+/// Whether a signal has asked to stop. The window then closes in order: films are finished.
 bool isInterrupted() {
   if (stopIfAsked()) return false;
   ignoreSignals();
@@ -95,7 +96,7 @@ bool isFluid(const ViewCommand& command) {
   return !command.fluid.begin.empty() || !command.fluid.resume.empty();
 }
 
-/// Refuses options of a fluid that there is not, and of sites that a fluid has its own of.
+/// Rejects options of a fluid if there is none, and options of sites that a fluid sets itself.
 Result<void> checkFluid(const ViewCommand& command) {
   const FluidChoices& fluid = command.fluid;
   const InputOptions& input = command.input;
@@ -159,7 +160,7 @@ Result<view::AppOptions> appOf(const ViewCommand& command) {
   options.viewer.settings.picture = command.picture.render;
   if (command.picture.edge_width) options.viewer.settings.picture.edge_width = *command.picture.edge_width;
   options.viewer.settings.cells = !command.picture.no_fill;
-  // A picture without the panel is not to stand beside one.
+  // A screenshot has no panel, so the picture must not make room for one.
   options.viewer.settings.panel = command.screenshot.empty();
   options.viewer.settings.backend = command.backend;
   if (const auto& fluid = options.viewer.opened.fluid) {
@@ -167,7 +168,7 @@ Result<view::AppOptions> appOf(const ViewCommand& command) {
         command.flow_color.value_or(view::usualFlowColor(fluid->setup.state, command.picture.render.color));
   }
   options.viewer.settings.parcels = command.fluid.particles;
-  // Of a fluid there is another picture after a step.
+  // A fluid gives another picture only after a step.
   const bool runs = command.relax || command.run || (isFluid(command) && command.frames);
   if (runs) options.viewer.settings.motion = view::Motion::runs;
   options.viewer.load = [input = command.input](const std::string& path) { return loadForView(path, input); };
@@ -182,7 +183,7 @@ Result<view::AppOptions> appOf(const ViewCommand& command) {
   return options;
 }
 
-/// The files that a window writes without looking for a free name.
+/// Returns the files that a window writes under fixed names, without searching for a free one.
 std::vector<std::string> namedOutputs(const view::AppOptions& options) {
   std::vector<std::string> paths{options.record, options.screenshot};
   if (!options.script) return paths;

@@ -6,8 +6,8 @@
 namespace vorpipe::cli {
 namespace {
 
-/// Functions that complete one value. They need nothing of the package bash-completion, so that the script
-/// works where it is only sourced.
+/// Functions that complete one value. They do not need the package bash-completion, so the script works when
+/// merely sourced.
 constexpr std::string_view functions = R"bash(
 # Adds those of the words in $1 that begin with $current. After one that ends in : or = no space is put.
 _vorpipe_words() {
@@ -75,7 +75,7 @@ std::string valueOf(const Choices& choices) {
   return script;
 }
 
-/// "--sites" or "-h|--help", as a pattern of case.
+/// Returns a case pattern such as "--sites" or "-h|--help".
 std::string pattern(const DeclaredSubcommand& subcommand, const DeclaredOption& option) {
   std::string names;
   for (const std::string& name : option.names)
@@ -90,7 +90,7 @@ std::string namesOf(const std::vector<DeclaredOption>& options) {
   return spaced(names);
 }
 
-/// What follows an option that takes a value: nothing is offered where nothing is known of it.
+/// Returns the completion after an option with a value; offers nothing if its choices are unknown.
 std::string afterOptions(const DeclaredProgram& program) {
   std::string script = "  case \"${COMP_WORDS[1]} $option\" in\n";
   for (const DeclaredSubcommand& subcommand : program.subcommands) {

@@ -1,4 +1,4 @@
-/// Scripts that teach shells to complete the command line.
+/// Completion scripts for shells.
 #pragma once
 
 #include <string>
@@ -13,7 +13,7 @@ std::string bashCompletions(const DeclaredProgram& program);
 std::string zshCompletions(const DeclaredProgram& program);
 std::string fishCompletions(const DeclaredProgram& program);
 
-/// Words with blanks between.
+/// Joins words with blanks.
 std::string spaced(const std::vector<std::string>& words);
 
 }  // namespace vorpipe::cli

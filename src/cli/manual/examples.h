@@ -1,11 +1,11 @@
-/// The examples of the man pages in --help.
+/// Adds the examples of the man pages to --help.
 #pragma once
 
 #include "cli/options/command_line.h"
 
 namespace vorpipe::cli {
 
-/// Puts its examples below the help of each subcommand, and the first below that of the program.
+/// Adds each subcommand's examples to the end of its help, and the first one to the program's help.
 void addExamples(CommandLine& line);
 
 }  // namespace vorpipe::cli

@@ -6,7 +6,7 @@
 namespace vorpipe::cli {
 namespace {
 
-/// A word of fish, where a backslash inside single quotes stands before a quote or another one.
+/// Quotes a word for fish; inside single quotes, a backslash escapes a quote or a backslash.
 std::string fishQuoted(std::string_view text) {
   std::string quoted = "'";
   for (const char c : text) {
@@ -38,7 +38,7 @@ function __vorpipe_list
 end
 )fish";
 
-/// What may stand for a value, as arguments of complete.
+/// Returns the choices for a value, as arguments of complete.
 std::string value(const Choices& choices) {
   if (choices.listed)
     return fmt::format(" -a {}", fishQuoted(fmt::format("(__vorpipe_list {})", spaced(choices.words))));
@@ -54,7 +54,7 @@ std::string line(const DeclaredProgram& program, std::string_view condition, con
     script += name.starts_with("--") ? fmt::format(" -l {}", name.substr(2))
                                      : fmt::format(" -s {}", name.substr(1));
   }
-  // -x: files are offered by their extensions alone.
+  // -x: offers only files with the known extensions.
   if (option.takes_value) script += " -x";
   script += value(option.choices);
   return script + fmt::format(" -d {}\n", fishQuoted(briefly(option.description)));

@@ -24,7 +24,7 @@ struct Shell {
 constexpr std::array<Shell, 3> shells = {
     {{"bash", bashCompletions}, {"zsh", zshCompletions}, {"fish", fishCompletions}}};
 
-/// "--name: 'x' is not one of a, b, c"
+/// Returns the error "--name: 'x' is not one of a, b, c".
 template <class Named>
 tl::unexpected<Error> noneOf(std::string_view option, const std::string& text, const Named& known) {
   std::vector<std::string_view> names;

@@ -1,5 +1,5 @@
-/// Man pages and the completions of shells, made of what was declared of the command line, so that they never
-/// name an option that is not there (decision D93).
+/// Man pages and shell completions, generated from the declared command line so that they never name an
+/// option that does not exist (decision D93).
 #pragma once
 
 #include <optional>
@@ -10,9 +10,9 @@
 
 namespace vorpipe::cli {
 
-/// What a command line asks for that begins with one of the two options that help does not list:
-/// `--help-man [SUBCOMMAND]`, a page in roff, or `--completions SHELL`, a script. Nothing where it begins
-/// with neither. Errors (input): there is no such subcommand or shell, or there is more.
+/// Handles a command line that begins with one of two options that help does not list. `--help-man
+/// [SUBCOMMAND]` returns a page in roff, `--completions SHELL` a script. Returns nothing if it begins with
+/// neither. Errors (input): no such subcommand or shell, or further arguments.
 std::optional<Result<std::string>> manualAsked(const CommandLine& line, std::span<char* const> arguments);
 
 }  // namespace vorpipe::cli

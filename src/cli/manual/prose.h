@@ -1,5 +1,5 @@
-/// What man pages say beside the options: paragraphs and examples. In text, `words in backticks` are set as
-/// they are typed.
+/// The text of man pages besides the options: paragraphs and examples. `Words in backticks` are set in the
+/// style of typed text.
 #pragma once
 
 #include <span>
@@ -14,19 +14,19 @@ struct Example {
 };
 
 struct Prose {
-  std::string_view subcommand;  ///< empty: of the program
+  std::string_view subcommand;  ///< empty: the program
   std::vector<std::string_view> paragraphs;
   std::vector<Example> examples;
 };
 
-/// That of a subcommand, or of the program; one without any has no paragraphs.
+/// Returns the prose of a subcommand, or of the program; without paragraphs if there is none.
 Prose proseOf(std::string_view subcommand);
 
 struct Row {
   std::string_view name, meaning;
 };
 
-/// Exit codes, and the environment that matters.
+/// Exit codes, and the relevant environment variables.
 std::span<const Row> exitStatuses();
 std::span<const Row> environment();
 

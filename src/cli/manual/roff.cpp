@@ -16,7 +16,7 @@
 namespace vorpipe::cli {
 namespace {
 
-/// A character as it is. All hyphens are those that are typed, since names with hyphens stand in any text.
+/// Escapes a character. All hyphens are typed hyphens, since names with hyphens occur in any text.
 std::string escaped(char c) {
   switch (c) {
     case '\\':
@@ -32,7 +32,7 @@ std::string escaped(char c) {
   }
 }
 
-/// Text to be typed.
+/// Returns text in the form for typed text.
 std::string literal(std::string_view text) {
   std::string roff;
   for (const char c : text) {
@@ -50,7 +50,8 @@ std::string literal(std::string_view text) {
 std::string bold(std::string_view text) { return fmt::format("\\fB{}\\fP", literal(text)); }
 std::string italic(std::string_view text) { return fmt::format("\\fI{}\\fP", literal(text)); }
 
-/// Prose, what stands in backticks in bold. A line of it is no request, with whatever it begins.
+/// Returns prose, with text in backticks in bold. Whatever a line begins with, roff does not take it for a
+/// request.
 std::string prose(std::string_view text) {
   std::string roff = text.starts_with('.') || text.starts_with('\'') ? "\\&" : "";
   bool typed = false;
@@ -69,12 +70,12 @@ std::string heading(const std::string& page, const std::string& summary) {
   std::string title = page;
   std::ranges::transform(title, title.begin(),
                          [](unsigned char c) { return static_cast<char>(std::toupper(c)); });
-  // Names are neither broken nor are lines filled to the margin with blanks.
+  // Turns off hyphenation of names and justification of lines.
   return fmt::format(".TH \"{}\" 1 \"\" \"vorpipe {}\" \"User Commands\"\n.nh\n.ad l\n.SH NAME\n{} \\- {}\n",
                      literal(title), version(), literal(page), prose(briefly(summary)));
 }
 
-/// A term in a list, and what it means.
+/// Returns a list entry: a term and its meaning.
 std::string entry(const std::string& term, std::string_view meaning) {
   return fmt::format(".TP\n{}\n{}\n", term, prose(meaning));
 }
@@ -85,7 +86,7 @@ std::string section(std::string_view title, std::span<const Row> rows) {
   return roff;
 }
 
-/// "-h, --help", "--sites SPEC", or of an operand what help calls it.
+/// Returns "-h, --help", "--sites SPEC", or an operand's name in help.
 std::string term(const DeclaredOption& option, bool operand) {
   std::vector<std::string> names;
   for (const std::string& name : option.names) names.push_back(operand ? italic(name) : bold(name));
@@ -94,7 +95,7 @@ std::string term(const DeclaredOption& option, bool operand) {
   return option.repeatable ? roff + " ..." : roff;
 }
 
-/// What help says in short words between names and description.
+/// Returns the conditions that help puts between names and description.
 std::string conditions(const DeclaredOption& option) {
   std::string text;
   const auto backticked = [](const std::vector<std::string>& names) {
@@ -106,10 +107,10 @@ std::string conditions(const DeclaredOption& option) {
   return text;
 }
 
-/// A description as a sentence.
+/// Returns a description as a sentence.
 std::string sentence(const DeclaredOption& option) {
   std::string text = option.description;
-  // Not the x of "x, y or xy".
+  // Does not capitalize the x of "x, y or xy".
   const bool begins_with_word =
       text.size() > 1 && (text[1] == ' ' || std::islower(static_cast<unsigned char>(text[1])) != 0);
   if (begins_with_word) text[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(text[0])));
@@ -158,7 +159,7 @@ std::string seeAlso(const DeclaredProgram& program, const std::string& page) {
   return fmt::format(".SH SEE ALSO\n{}\n", fmt::join(named, ",\n"));
 }
 
-/// The usage of a subcommand: what it must have, then what it may.
+/// Returns the usage of a subcommand: required arguments, then optional ones.
 std::string usage(const DeclaredProgram& program, const DeclaredSubcommand& subcommand) {
   std::string roff = bold(program.name + " " + subcommand.name);
   for (const DeclaredOption& option : subcommand.options) {

@@ -7,10 +7,10 @@
 
 namespace vorpipe::cli {
 
-/// The page vorpipe(1).
+/// Returns the page vorpipe(1).
 std::string programPage(const DeclaredProgram& program);
 
-/// A page such as vorpipe-cells(1).
+/// Returns a page such as vorpipe-cells(1).
 std::string subcommandPage(const DeclaredProgram& program, const DeclaredSubcommand& subcommand);
 
 }  // namespace vorpipe::cli

@@ -7,8 +7,8 @@
 namespace vorpipe::cli {
 namespace {
 
-/// Completes a value by words in $1, of which one that ends in : or = is only a beginning, and files that end
-/// in what is in $2.
+/// Completes a value by the words in $1 and by files with the extensions in $2. A word that ends in : or = is
+/// only a prefix.
 constexpr std::string_view functions = R"zsh(
 _vorpipe_value() {
   local -a words=(${=1}) extensions=(${=2}) expl
@@ -21,7 +21,7 @@ _vorpipe_value() {
 }
 )zsh";
 
-/// Text inside [ ] or between two colons of a specification for _arguments.
+/// Escapes text for use inside [ ] or between colons in a specification for _arguments.
 std::string inSpecification(const std::string& text) {
   std::string escaped;
   for (const char c : text) {
@@ -31,7 +31,7 @@ std::string inSpecification(const std::string& text) {
   return escaped;
 }
 
-/// ":NAME:ACTION", what follows an option or stands without one.
+/// Returns ":NAME:ACTION", for an option's value or an operand.
 std::string value(const std::string& name, const Choices& choices) {
   std::string action = " ";
   if (choices.listed) {
@@ -44,13 +44,13 @@ std::string value(const std::string& name, const Choices& choices) {
   return fmt::format(":{}:{}", inSpecification(name.empty() ? "value" : name), action);
 }
 
-/// Names that an option does not stand beside.
+/// Returns the names that an option excludes.
 std::string excluded(const DeclaredOption& option) {
   if (option.names.back() == "--help" || option.names.back() == "--version") return "(- *)";
   return option.excludes.empty() ? "" : fmt::format("({})", spaced(option.excludes));
 }
 
-/// Specifications of an option, one for each of its names.
+/// Returns the specifications of an option, one for each name.
 std::string specifications(const DeclaredOption& option) {
   std::string script;
   for (const std::string& name : option.names) {

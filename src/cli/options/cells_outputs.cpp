@@ -32,13 +32,13 @@ Parsed<EdgesTarget> parseEdges(std::string_view text) {
   return EdgesTarget{std::move(*path), *format};
 }
 
-/// Whether measures alone are wanted.
+/// Parses --detail: whether only measures are wanted.
 Parsed<bool> parseDetail(std::string_view text) {
   if (text == "measures" || text == "all") return text == "measures";
   return tl::unexpected(fmt::format("{} is no detail; it must be all or measures", inQuotes(text)));
 }
 
-/// Gives --detail measures its format.
+/// Sets the format for --detail measures.
 Result<void> takeMeasures(CellsTargets& targets) {
   const auto is_other = [](const CellsTarget& target) { return target.format->extension != ".npz"; };
   if (!targets.edges.empty() || targets.cells.empty() || std::ranges::any_of(targets.cells, is_other)) {
@@ -48,7 +48,7 @@ Result<void> takeMeasures(CellsTargets& targets) {
   return {};
 }
 
-/// As --format names them.
+/// Returns the kinds as --format names them.
 std::vector<std::string> cellsKinds() {
   std::vector<std::string> kinds;
   for (const std::string_view extension : cellsExtensions()) kinds.emplace_back(extension.substr(1));

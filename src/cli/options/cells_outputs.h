@@ -1,4 +1,4 @@
-/// What `cells` writes: files of cells and of edges.
+/// The outputs of `cells`: files of cells and of edges.
 #pragma once
 
 #include <string>
@@ -27,22 +27,22 @@ struct CellsTargets {
   bool only_cells = false;
   bool only_measures = false;
 
-  /// The paths of all, in the order in which they are created.
+  /// Returns all paths, in the order in which the files are created.
   [[nodiscard]] std::vector<std::string> paths() const;
-  /// The parts of a Diagram that they take.
+  /// Returns the parts of a Diagram that the files need.
   [[nodiscard]] Detail detail() const;
   [[nodiscard]] std::vector<const EdgesFormat*> edgesFormats() const;
-  /// Whether one of them has the input's attributes.
+  /// Whether one of the files has the input's attributes.
   [[nodiscard]] bool carryAttributes() const;
-  /// Whether one of them is standard output.
+  /// Whether one of the files is standard output.
   [[nodiscard]] bool useStandardOutput() const;
 };
 
 /// -o, --edges, --only-cells, --detail
 void addCellsTargets(Options& options, CellsTargets& targets);
 
-/// Gives what goes to standard output its format, the extension `kind` without its dot, or csv; and refuses
-/// what contradicts itself. Errors (input): the kind is none of cells; standard output is named twice;
+/// Sets the format of standard output: the extension `kind` without its dot, or csv. Also rejects
+/// contradictions. Errors (input): the kind is no format of cells; standard output is named twice;
 /// --only-cells has nothing to leave out; --detail measures, for which .npz has a format of its own, has
 /// another output.
 Result<void> takeFormat(CellsTargets& targets, const std::string& kind);

@@ -26,7 +26,7 @@ CLI::Option* addTexts(CLI::App& app, const std::string& name, Value value, const
   return option;
 }
 
-/// The flags of the program and of each subcommand.
+/// Adds the flags that the program and each subcommand have.
 void addCommonFlags(CLI::App& app, const std::string& version_line) {
   const std::string group(help_group);
   app.set_help_flag("-h,--help", "prints the options")->group(group);
@@ -131,8 +131,8 @@ struct CommandLine::Parser {
   std::vector<Subcommand> subcommands;
   ChoicesOf choices;
 
-  /// What is wrong with the first argument that names neither a subcommand nor an option: CLI11 does not name
-  /// them in their order.
+  /// Returns an error text for the first argument that is neither a subcommand nor an option: CLI11 does not
+  /// report them in order.
   [[nodiscard]] std::string firstUnknown(std::span<char* const> arguments) const {
     if (arguments.size() < 2) return {};
     const std::string_view first = arguments[1];
@@ -151,7 +151,7 @@ struct CommandLine::Parser {
 
 namespace {
 
-/// What CLI11 says, but for an option that is given again.
+/// Returns CLI11's message, except for repeated options.
 std::string messageOf(const CLI::ParseError& error, std::span<char* const> arguments) {
   std::string message = error.what();
   const std::string name = message.substr(0, message.find(':'));

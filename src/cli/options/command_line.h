@@ -1,5 +1,5 @@
-/// What may stand on the command line, declared here without the parser that reads it: its headers take
-/// longer to compile than most of what includes this.
+/// Declares the command line without including the parser, whose headers take longer to compile than most
+/// files that include this one.
 #pragma once
 
 #include <functional>
@@ -22,47 +22,48 @@ namespace vorpipe::cli {
 
 enum ExitCode : int { exit_done = 0, exit_different = 1, exit_input = 2, exit_device = 3 };
 
-/// An option that was declared.
+/// A declared option.
 class Option {
  public:
   explicit Option(CLI::Option* option) : option_(option) {}
   Option& required();
-  /// Refused where `other` is not given.
+  /// The option is an error if `other` is not given.
   Option& needs(const Option& other);
-  /// Refused where `other` is given.
+  /// The option is an error if `other` is given.
   Option& excludes(const Option& other);
 
  private:
   CLI::Option* option_;
 };
 
-/// A value: how help calls it, what becomes of its text, and what is known of it beforehand.
+/// A value: its name in help, the functions for its text, and its known choices.
 struct Value {
   std::string name;
-  std::function<std::string(const std::string&)> fault;  ///< what is wrong with it; empty: nothing
-  std::function<void(const std::string&)> keep;          ///< called with what has no fault
+  std::function<std::string(const std::string&)>
+      fault;                                     ///< returns what is wrong with the text; empty: nothing
+  std::function<void(const std::string&)> keep;  ///< stores a text without fault
   Choices choices{};
 };
 
-/// What is known of the values of options.
+/// The known choices of options' values.
 using ChoicesOf = std::map<const CLI::Option*, Choices>;
 
-/// What a subcommand takes. Names are `--name`, `-n`, or for what stands without one `NAME`.
+/// The options and operands of a subcommand. Names are `--name`, `-n`, or `NAME` for an operand.
 class Options {
  public:
   Options(CLI::App* app, ChoicesOf* choices) : app_(app), choices_(choices) {}
-  /// What is given once at most.
+  /// Adds an option or operand that is given at most once.
   Option add(const std::string& name, Value value, const std::string& description);
-  /// What may be given any number of times, with one value each time so that it does not swallow what
-  /// follows.
+  /// Adds an option that may be given any number of times. Each takes one value, so that it does not swallow
+  /// the arguments after it.
   Option addRepeatable(const std::string& name, Value value, const std::string& description);
-  /// Any number of values, one after the other.
+  /// Adds any number of consecutive values.
   Option addList(const std::string& name, Value value, const std::string& description);
-  /// Any text.
+  /// Adds an option with any text as its value.
   Option addText(const std::string& name, std::string& target, const std::string& value,
                  const std::string& description, Choices choices = {});
   Option addFlag(const std::string& name, bool& target, const std::string& description);
-  /// The heading of what is added from now on, in help and man pages; inOrder() has their order.
+  /// Sets the heading for options added from now on, in help and man pages; for the order see inOrder().
   void group(std::string heading) { group_ = std::move(heading); }
 
  private:
@@ -73,15 +74,15 @@ class Options {
   std::string group_ = "Run";
 };
 
-/// How a subcommand was called, and who wants to know what it did.
+/// How a subcommand was called, and where its statistics go.
 struct Invocation {
-  std::vector<std::string> arguments;  ///< as they were given, without the program's name
-  /// Gets what --stats would write, where --stats is not given, as `rerun` needs it; null: it is not needed.
+  std::vector<std::string> arguments;  ///< as given, without the program's name
+  /// Without --stats, receives the text that --stats would write; `rerun` needs it. Null: not needed.
   std::string* stats = nullptr;
 };
 
-/// What runs a subcommand once its options are parsed: the exit code, or an error that main prints and turns
-/// into one.
+/// Runs a subcommand after its options are parsed. Returns the exit code, or an error that main prints and
+/// turns into one.
 using Run = std::function<Result<ExitCode>(const Invocation&)>;
 
 class CommandLine {
@@ -92,19 +93,19 @@ class CommandLine {
   CommandLine(const CommandLine&) = delete;
   CommandLine& operator=(const CommandLine&) = delete;
 
-  /// Options refer to what `run` reads.
+  /// The options refer to the variables that `run` reads.
   Options addSubcommand(const std::string& name, const std::string& description, Run run);
 
-  /// Tells what stands below the options in the help of each subcommand that was added; of "" below that of
-  /// the program. It is asked when help is.
+  /// Sets the text below the options in the help of each subcommand added so far; for "" in that of the
+  /// program. `footer` is called when help is requested.
   void setFooters(std::string (*footer)(std::string_view subcommand));
 
-  /// All that was declared, in the order in which it was.
+  /// Returns all declarations, in their order.
   [[nodiscard]] DeclaredProgram declared() const;
 
-  /// The run of the subcommand that is named. Else the exit code: help or the version were asked for, and
-  /// printed; or the command line is wrong, and a line on standard error said how. May be called again from
-  /// a run, for another subcommand.
+  /// Returns the run of the named subcommand. Else returns the exit code: help or the version was requested
+  /// and printed, or the command line is wrong and a line on standard error says how. A run may call this
+  /// again for another subcommand.
   tl::expected<Run, int> parse(int count, char** arguments);
 
  private:

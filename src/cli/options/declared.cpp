@@ -9,7 +9,7 @@ std::vector<std::string> inOrder(std::vector<std::string> groups) {
   constexpr std::array<std::string_view, 13> order = {"Input",  "Domain",  "Cells",   "Relaxation",  "Masses",
                                                       "Fluid",  "Picture", "Window",  "Measurement", "Output",
                                                       "Device", "Run",     help_group};
-  // One that is not known here stands before the device.
+  // Unknown groups come before the device.
   constexpr std::size_t unknown = 9;
   const auto place = [&](const std::string& group) {
     const auto found = std::ranges::find(order, group);

@@ -1,5 +1,4 @@
-/// What was declared of the command line, as plain data: man pages and the completions of shells are made of
-/// it.
+/// The declared command line as plain data, the source of man pages and shell completions.
 #pragma once
 
 #include <string>
@@ -8,27 +7,26 @@
 
 namespace vorpipe::cli {
 
-/// Of --help and --version.
+/// The group of --help and --version.
 inline constexpr std::string_view help_group = "Help";
 
-/// Groups of options, in the order in which help and man pages have them: from the input to the run.
+/// Sorts groups of options into the order of help and man pages: from the input to the run.
 std::vector<std::string> inOrder(std::vector<std::string> groups);
 
-/// What is known of the values that an option takes.
+/// The known choices for the values of an option.
 struct Choices {
-  std::vector<std::string> words;       ///< one that ends in : or = is only a beginning
-  std::vector<std::string> extensions;  ///< of the files that it may name, each with its dot
-  bool listed = false;                  ///< several words, with commas between them
+  std::vector<std::string> words;       ///< a word that ends in : or = is only a prefix
+  std::vector<std::string> extensions;  ///< of files that the value may name, each with its dot
+  bool listed = false;                  ///< the value is several words, separated by commas
 
   [[nodiscard]] bool empty() const { return words.empty() && extensions.empty(); }
 };
 
 struct DeclaredOption {
-  std::vector<std::string>
-      names;          ///< -h and --help; of an operand, which stands without one, what help calls it
-  std::string value;  ///< what help calls its value; empty for a flag
+  std::vector<std::string> names;  ///< e.g. -h and --help; for an operand, its name in help
+  std::string value;               ///< name of the value in help; empty for a flag
   std::string description;
-  std::string group;  ///< under which heading help has it
+  std::string group;  ///< heading in help
   Choices choices;
   bool required = false;
   bool repeatable = false;

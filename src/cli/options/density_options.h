@@ -10,8 +10,8 @@
 namespace vorpipe::cli {
 
 struct DensityOptions {
-  std::string file;        ///< empty: there is none
-  std::optional<Box> box;  ///< where its pixels lie
+  std::string file;        ///< empty: none
+  std::optional<Box> box;  ///< the box of its pixels
 
   [[nodiscard]] bool empty() const { return file.empty(); }
 };

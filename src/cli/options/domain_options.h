@@ -1,11 +1,11 @@
-/// The options of the domain, and of the plane that it is in.
+/// The options of the domain, and of the projection to its plane.
 #pragma once
 
 #include "cli/options/options.h"
 
 namespace vorpipe::cli {
 
-/// A number of 0 or more, or one with % behind it.
+/// A number of 0 or more, optionally followed by %.
 Parsed<Margin> parseMargin(std::string_view text);
 
 /// `auto`, or `LON,LAT`, a place on the Earth.

@@ -9,7 +9,7 @@
 namespace vorpipe::cli {
 
 void printError(std::string_view message) {
-  // What standard error does not take is lost: fmt::print would throw.
+  // Failed writes to standard error are ignored: fmt::print would throw.
   std::fputs(fmt::format("vorpipe: {}\n", escaped(message)).c_str(), stderr);
 }
 

@@ -67,7 +67,7 @@ Parsed<std::string> parseCase(std::string_view text) {
       fmt::format("{} is not {}, or an .npz file", inQuotes(text), anyOf(fluidCaseNames())));
 }
 
-/// A file that has a format by its extension.
+/// Parses a file whose extension determines its format.
 template <class Target, class FormatOf>
 Parsed<Target> parseOutcome(std::string_view text, const FormatOf& format_of) {
   auto path = parseFile(text, "");

@@ -1,4 +1,4 @@
-/// What `fluid` computes, and what it writes.
+/// The options of `fluid`: what to compute, and what to write.
 #pragma once
 
 #include <cstdint>
@@ -15,7 +15,7 @@
 
 namespace vorpipe::cli {
 
-/// What the options name; what they do not is as the case or the file has it.
+/// The values that the options set; all others come from the case or the file.
 struct FluidChoices {
   std::string begin;   ///< a case, or a file
   std::string resume;  ///< a file
@@ -28,7 +28,7 @@ struct FluidChoices {
   std::optional<double> seconds;
 };
 
-/// The files of a fluid; empty paths are not asked for.
+/// The output files of a fluid; empty paths: not requested.
 struct FluidTargets {
   struct Points {
     std::string path;
@@ -36,21 +36,21 @@ struct FluidTargets {
   };
   std::vector<Points> points;
   std::vector<CellsTarget> cells;
-  std::string stats;                     ///< a file at the end
-  std::string checkpoint, trace;         ///< files on the way
+  std::string stats;                     ///< a file written at the end
+  std::string checkpoint, trace;         ///< files written during the run
   std::string frames, series;            ///< a film or a folder; a folder
   std::optional<view::FlowColor> color;  ///< of frames
   std::uint64_t every = 10;              ///< steps between frames, files of the series and checkpoints
 
-  /// Of the files at the end, in the order in which they are created.
+  /// Returns the paths of the files written at the end, in the order in which they are created.
   [[nodiscard]] std::vector<std::string> paths() const;
 };
 
-/// --case, --resume, --particles, --time, --step, --scheme, --epsilon, --gravity, --tolerance; `usual_end` is
-/// the time at which it ends where none is named
+/// --case, --resume, --particles, --time, --step, --scheme, --epsilon, --gravity, --tolerance; `usual_end`
+/// describes the end time if none is given
 void addFluidStart(Options& options, FluidChoices& choices, std::string_view usual_end);
 
-/// All of these, --steps and --seconds
+/// All of the above, --steps and --seconds
 void addFluidChoices(Options& options, FluidChoices& choices);
 
 /// --flow-color
@@ -59,14 +59,14 @@ void addFlowColor(Options& options, std::optional<view::FlowColor>& color);
 /// -o, --cells, --checkpoint, --trace, --frames, --series, --every
 void addFluidTargets(Options& options, FluidTargets& targets);
 
-/// The fluid that the options name, which may go on forever. Errors (input): they contradict each other; the
-/// file's.
+/// Returns the fluid that the options name, which may run forever. Errors (input): the options contradict
+/// each other; those of the file.
 Result<FluidSetup> startOf(const FluidChoices& choices);
-/// The same of one that ends. Errors (input): that it does not.
+/// The same for a fluid that ends. Errors (input): also that it does not end.
 Result<FluidSetup> setupOf(const FluidChoices& choices);
 
-/// An error of the library, which begins with what is wrong, in the words of the command line: the option
-/// that was given, or else the file that the fluid is of.
+/// Translates an error of the library, which begins with the wrong value's name, to the command line: it then
+/// names the given option, or else the fluid's file.
 tl::unexpected<Error> asFluidOption(Error error, const FluidChoices& choices);
 
 /// "springs" or "projection".

@@ -1,4 +1,4 @@
-/// The kinds of what comes by standard input and goes to standard output, which have no names to tell.
+/// The formats of standard input and output, which have no file names to show them.
 #pragma once
 
 #include <string>
@@ -8,12 +8,12 @@
 
 namespace vorpipe::cli {
 
-/// Extensions without the dot; empty where none is named.
+/// Extensions without the dot; empty if not given.
 struct FormatChoice {
   std::string input, output;
 };
 
-/// `KIND`, which is for both, or `IN,OUT`; any case. Whether a kind is known is for who reads or writes it.
+/// Parses `KIND`, for both, or `IN,OUT`; any case. Whether a kind exists is checked by its reader or writer.
 Parsed<FormatChoice> parseFormat(std::string_view text);
 
 }  // namespace vorpipe::cli

@@ -22,7 +22,7 @@ class HelpFormat final : public CLI::Formatter {
           [&](const CLI::Option* option) { return option->nonpositional() && option->get_group() == group; });
       if (!options.empty()) text += make_group(group, false, options);
     }
-    // CLI11's make_footer is not called: some versions put an empty line before the footer.
+    // Does not call CLI11's make_footer: some versions put an empty line before the footer.
     return text + app->get_footer() + '\n';
   }
 };

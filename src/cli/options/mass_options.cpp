@@ -10,7 +10,7 @@
 namespace vorpipe::cli {
 namespace {
 
-/// Where masses are from; one of the two, or none for equal masses.
+/// The source of masses: one of the two, or none for equal masses.
 struct MassSource {
   std::string file, attribute;
 };

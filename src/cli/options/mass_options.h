@@ -1,4 +1,4 @@
-/// What `transport` prescribes: masses, and what lies around the cells.
+/// The options of `transport`: masses, and the surface of the cells.
 #pragma once
 
 #include <optional>
@@ -14,24 +14,24 @@ struct MassOptions {
   bool normalize = false;
   bool skip_zero = false;  ///< sites without mass are left out
   Surface surface = Surface::none;
-  std::optional<double> fill;  ///< part of the domain's mass that the cells have together
+  std::optional<double> fill;  ///< fraction of the domain's mass in all cells together
 
   [[nodiscard]] bool areEqual() const { return file.empty() && attribute.empty(); }
   [[nodiscard]] Surface around() const { return fill ? Surface::free : surface; }
 };
 
-/// Of --surface, for sites that have their weights.
+/// Description of --surface, for sites that already have weights.
 inline constexpr const char* surface_text =
     "the cells end in air: each is cut by a disc around its site, whose squared radius is the weight, as "
     "transport --fill finds it [cells fill the domain]";
 
-/// --surface free, of which `text` tells
+/// --surface free, described by `text`
 void addSurface(Options& options, Surface& surface, const std::string& text);
 
 /// --masses, --skip-zero, --normalize, --surface, --fill
 void addMassOptions(Options& options, MassOptions& masses);
 
-/// Refuses options that contradict each other (input).
+/// Error (input): the options contradict each other.
 Result<void> checkMasses(const MassOptions& masses);
 
 }  // namespace vorpipe::cli

@@ -131,7 +131,7 @@ void addRunOptions(Options& options, BackendOptions& backend, std::optional<std:
             "[what this machine, and the groups and limits that it runs in, have left]",
             parseBytes);
   addMaskOptions(options, backend.mask);
-  // A word that is neither ends the run before it begins.
+  // A word that is neither yes nor no has already ended the run.
   backend.validation = validationAskedByEnvironment().value_or(false);
   options.addFlag(
       "--validate", backend.validation,

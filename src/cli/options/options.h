@@ -16,7 +16,8 @@
 
 namespace vorpipe::cli {
 
-/// A value that `parse` reads and `take` gets; the command line's error is `--name: ` and what parse says.
+/// Returns a value that `parse` reads and `take` receives. The command line's error is `--name: ` and the
+/// error of `parse`.
 template <class Parse, class Take>
 Value parsedValue(const std::string& name, const Parse& parse, const Take& take, Choices choices = {}) {
   const auto fault = [parse](const std::string& text) {
@@ -26,7 +27,7 @@ Value parsedValue(const std::string& name, const Parse& parse, const Take& take,
   return {name, fault, [parse, take](const std::string& text) { take(*parse(text)); }, std::move(choices)};
 }
 
-/// Adds an option whose value `parse` turns into `target`.
+/// Adds an option whose value `parse` reads into `target`.
 template <class Target, class Parse>
 Option addParsed(Options& options, const std::string& name, Target& target, const std::string& value,
                  const std::string& description, const Parse& parse, Choices choices = {}) {
@@ -34,7 +35,7 @@ Option addParsed(Options& options, const std::string& name, Target& target, cons
   return options.add(name, parsedValue(value, parse, keep, std::move(choices)), description);
 }
 
-/// Adds an option that may be given any number of times; `take` gets what `parse` makes of each value.
+/// Adds an option that may be given any number of times; `take` receives each parsed value.
 template <class Parse, class Take>
 Option addRepeatable(Options& options, const std::string& name, const std::string& value,
                      const std::string& description, const Parse& parse, const Take& take,
@@ -42,15 +43,15 @@ Option addRepeatable(Options& options, const std::string& name, const std::strin
   return options.addRepeatable(name, parsedValue(value, parse, take, std::move(choices)), description);
 }
 
-/// Adds an option that names a file; `extension` as for parseFile.
+/// Adds an option that names a file; `extension` as in parseFile.
 Option addFile(Options& options, const std::string& name, std::string& target, const std::string& extension,
                const std::string& description);
 
-/// The same for a file of any name; `usual` is what such names end in.
+/// The same for a file of any name; `usual` are the usual extensions.
 Option addAnyFile(Options& options, const std::string& name, std::string& target,
                   std::vector<std::string> usual, const std::string& description);
 
-/// What a --sites may be.
+/// Returns the choices for --sites.
 Choices sitesChoices();
 
 struct InputOptions {
@@ -64,7 +65,7 @@ struct InputOptions {
   std::string weights;  ///< a file
   std::optional<WeightRange> random_weights;
   Periodic periodic = Periodic::none;
-  ReadOptions reading{};  ///< but its format, which is that of standard input
+  ReadOptions reading{};  ///< without its format: standard input has that of `format`
   FormatChoice format{};
 };
 
@@ -72,7 +73,8 @@ struct TalkOptions {
   bool quiet = false, verbose = false;
 };
 
-/// --sites and how it is read, --seed, those of addDomainOptions, --weights, --random-weights, --periodic
+/// --sites and its reading options, --seed, those of addDomainOptions, --weights, --random-weights,
+/// --periodic
 Option addInputOptions(Options& options, InputOptions& input);
 /// --device
 void addDeviceChoice(Options& options, BackendOptions& backend);
@@ -90,7 +92,7 @@ void addSearchOptions(Options& options, SearchOptions& search);
 void addStats(Options& options, std::string& path);
 /// --quiet, --verbose
 void addTalkOptions(Options& options, TalkOptions& talk);
-/// The same; `waiting` becomes a note unless --quiet. It refers to `talk`.
+/// The same; `waiting` prints a note unless --quiet. It refers to `talk`.
 void addTalkOptions(Options& options, TalkOptions& talk, Waiting& waiting);
 
 /// Whether VORPIPE_VALIDATION turns validation layers on. Error (input): it is neither a yes nor a no.

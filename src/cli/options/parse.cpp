@@ -56,7 +56,7 @@ Parsed<std::string> oneOf(const std::vector<std::string>& names, std::string_vie
       fmt::format("{} is not one of {}{}", inQuotes(text), fmt::join(names, ", "), didYouMean(text, names)));
 }
 
-/// The value that `text` names.
+/// Returns the value that `text` names.
 template <class Table>
 auto valueIn(const Table& table, std::string_view text) -> Parsed<decltype(table[0].value)> {
   return oneOf(namesIn(table), text).map([&](const std::string& name) {

@@ -1,5 +1,4 @@
-/// The values of options, from text. The error is what is wrong with the text, in words that
-/// continue "--option: ".
+/// Parses the values of options. The error says what is wrong with the text, and continues "--option: ".
 #pragma once
 
 #include <cstdint>
@@ -23,12 +22,12 @@ Parsed<std::uint64_t> parseWhole(std::string_view text, std::uint64_t low, std::
 /// "a, b or c", as help and messages name them.
 std::string anyOf(std::span<const std::string> words);
 
-/// The names that parsePeriodic, parseSearch (which takes more) and parseColor take.
+/// The names that parsePeriodic, parseSearch (which accepts more) and parseColor accept.
 std::vector<std::string> periodicNames();
 std::vector<std::string> searchNames();
 std::vector<std::string> colorNames();
 
-/// A box, the name of a file with an outline, or the hull of the sites; nothing where it is left open.
+/// A box, the name of a file with an outline, or the hull of the sites; none of them if not given.
 struct DomainChoice {
   std::optional<Box> box;
   std::string file;  ///< empty: there is none
@@ -82,8 +81,8 @@ Parsed<std::vector<std::string>> parseBackendList(std::string_view text);
 /// The same, two or more.
 Parsed<std::vector<std::string>> parseBackends(std::string_view text);
 
-/// A file name that ends in `extension`, such as ".png", or has none (/dev/stdout); any where
-/// `extension` is empty.
+/// A file name with `extension`, such as ".png", or without any (/dev/stdout); any name if `extension` is
+/// empty.
 Parsed<std::string> parseFile(std::string_view text, std::string_view extension);
 
 }  // namespace vorpipe::cli

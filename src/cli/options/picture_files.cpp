@@ -15,7 +15,7 @@ namespace {
 
 constexpr std::string_view standard_output = "-";
 
-/// The file and its format, that of `usual` where the name has no extension (/dev/stdout).
+/// Parses a file and its format; that of `usual` if the name has no extension (/dev/stdout).
 template <class File, class FormatOf>
 Parsed<File> parseAs(std::string_view text, const FormatOf& format_of, const std::string& usual) {
   auto path = parseFile(text, "");

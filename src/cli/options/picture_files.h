@@ -1,4 +1,4 @@
-/// The files that render writes, and their kinds.
+/// The output files of render, and their formats.
 #pragma once
 
 #include <string>
@@ -17,11 +17,11 @@ struct PictureFile {
 };
 
 struct IdsFile {
-  std::string path;  ///< empty: none is asked for
+  std::string path;  ///< empty: not requested
   const IdsFormat* format = nullptr;
 };
 
-/// What render writes besides --stats.
+/// The outputs of render besides --stats.
 struct PictureFiles {
   std::vector<PictureFile> pictures;
   IdsFile ids;
@@ -33,8 +33,8 @@ struct PictureFiles {
 /// -o, --ids
 void addPictureFiles(Options& options, PictureFiles& files);
 
-/// Has `-o -` go to standard output, as `kind`, an extension without its dot, which --format names, or as
-/// PNG. Error (input): it is no kind of picture.
+/// Sets the format of `-o -`, standard output: `kind`, the extension without its dot from --format, or PNG.
+/// Error (input): `kind` is no format of pictures.
 Result<void> nameStandardOutput(PictureFiles& files, const std::string& kind);
 
 }  // namespace vorpipe::cli

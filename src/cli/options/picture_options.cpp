@@ -16,7 +16,7 @@ constexpr double widest_mark = 100;
 std::vector<std::string> scaleNames() { return {"linear", "log", "quantile"}; }
 std::vector<std::string> fitNames() { return {"stretch", "letterbox"}; }
 
-/// The place of `text` among some names.
+/// Returns the index of `text` in `names`.
 Parsed<std::size_t> placeIn(const std::vector<std::string>& names, std::string_view text) {
   const auto found = std::ranges::find(names, text);
   if (found == names.end()) return tl::unexpected(fmt::format("{} is not {}", inQuotes(text), anyOf(names)));
@@ -48,7 +48,7 @@ Parsed<double> parsePixels(std::string_view text, double least, double most = wi
   return tl::unexpected(fmt::format("{} is not a number of pixels from {} to {}", *number, least, most));
 }
 
-/// Rows and columns of places in a pixel.
+/// Parses the number of rows and columns of samples in a pixel.
 Parsed<int> parsePlaces(std::string_view text) {
   constexpr std::uint64_t most = 8;
   const auto number = parseWhole(text, 1, most);

@@ -1,4 +1,4 @@
-/// The options of pictures: their size, and what colors, edges and dots are.
+/// The options of pictures: size, colors, edges and dots.
 #pragma once
 
 #include <optional>
@@ -8,16 +8,16 @@
 
 namespace vorpipe::cli {
 
-/// What a --size names: a picture's sides, or the longer of them.
+/// The value of --size: a picture's sides, or the longer of them.
 struct SizeChoice {
   std::optional<PictureSize> sides;
-  int longer_side = 0;  ///< 0: there is none
+  int longer_side = 0;  ///< 0: not given
 };
 
 /// `WxH` or `N`, 1 to largest_side each.
 Parsed<SizeChoice> parseSizeChoice(std::string_view text);
 
-/// What pictures that several subcommands draw have in common.
+/// Options of pictures that several subcommands share.
 struct PictureOptions {
   RenderOptions render{};
   SizeChoice size;
@@ -28,7 +28,7 @@ struct PictureOptions {
 
 /// --size, --view, --fit
 void addSizeOptions(Options& options, PictureOptions& picture);
-/// --fit alone, for pictures that there are.
+/// --fit alone, for existing pictures.
 Option addFitOption(Options& options, std::optional<Fit>& fit);
 /// --view alone.
 Option addViewOption(Options& options, std::optional<Box>& view);
@@ -39,7 +39,7 @@ void addMarkOptions(Options& options, PictureOptions& picture);
 /// All of these, in a group of their own.
 void addPictureGroup(Options& options, PictureOptions& picture);
 
-/// The size that is known before the sites are; 1 x 1 where it is not.
+/// Returns the size if it is known before the sites are read; else 1 x 1.
 PictureSize sizeBefore(const SizeChoice& size);
 
 }  // namespace vorpipe::cli

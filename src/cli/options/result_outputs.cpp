@@ -17,7 +17,7 @@
 namespace vorpipe::cli {
 namespace {
 
-/// A file of sites; the error of one that is of cells or a picture says which option it is for.
+/// Parses a file of sites; for a file of cells or a picture, the error names the right option.
 Parsed<PointsTarget> parsePoints(std::string_view text) {
   if (text == "-" || text == standard_output) return PointsTarget{std::string(standard_output), nullptr};
   auto path = parseFile(text, "");
@@ -32,7 +32,7 @@ Parsed<PointsTarget> parsePoints(std::string_view text) {
   return tl::unexpected(pointsFormatOf(*path).error().message);
 }
 
-/// A file that has a name, and a format by its extension.
+/// Parses a named file whose extension determines its format.
 template <class Target, class FormatOf>
 Parsed<Target> parseNamed(std::string_view text, const FormatOf& format_of) {
   auto path = parseFile(text, "");

@@ -1,4 +1,4 @@
-/// What `relax` and `transport` write: files of sites, of cells and of pictures, and the trace.
+/// The outputs of `relax` and `transport`: files of sites, cells and pictures, and the trace.
 #pragma once
 
 #include <cstdint>
@@ -24,29 +24,30 @@ struct ResultTargets {
   std::vector<PointsTarget> points;
   std::vector<CellsTarget> cells;
   std::vector<PictureFile> pictures;
-  std::string trace;        ///< empty: none is asked for
-  std::uint64_t every = 0;  ///< diagrams between two numbered files of each; 0: there are none
+  std::string trace;        ///< empty: not requested
+  std::uint64_t every = 0;  ///< diagrams between two numbered files of each; 0: no numbered files
 
-  /// Those of sites, cells and pictures, in the order in which they are created; the trace comes after them.
+  /// Returns the paths of sites, cells and pictures, in the order in which they are created; the trace comes
+  /// after them.
   [[nodiscard]] std::vector<std::string> paths() const;
-  /// The same, and those of options that are only files, where they are given.
+  /// The same, followed by the nonempty paths of `others`.
   [[nodiscard]] std::vector<std::string> pathsWith(std::initializer_list<std::string> others) const;
   /// The same with a number before each extension: sites-0010.csv.
   [[nodiscard]] std::vector<std::string> numberedPaths(std::uint64_t diagram) const;
-  /// The parts of a Diagram that files of cells take.
+  /// Returns the parts of a Diagram that files of cells need.
   [[nodiscard]] Detail detail() const;
   [[nodiscard]] bool carryAttributes() const;
   [[nodiscard]] bool useStandardOutput() const;
 };
 
-/// -o, --cells, --picture; `sites` is what -o has.
+/// -o, --cells, --picture; `sites` describes the contents of -o.
 void addResultTargets(Options& options, ResultTargets& targets, std::string_view sites);
 /// The same, and --trace and --save-every.
 void addRelaxTargets(Options& options, ResultTargets& targets);
 
-/// Gives what goes to standard output the format that --format names, or csv; and refuses what contradicts
-/// itself. Errors (input): the kind is none of sites, or nothing takes it; standard output is named twice;
-/// --save-every has no file to number.
+/// Sets the format of standard output: that of --format, or csv. Also rejects contradictions. Errors (input):
+/// the kind is no format of sites, or no output uses it; standard output is named twice; --save-every has no
+/// file to number.
 Result<void> takeFormat(ResultTargets& targets, const InputOptions& input);
 
 }  // namespace vorpipe::cli

@@ -1,4 +1,4 @@
-/// Standard output among files, which `-` means.
+/// The path of standard output, which `-` stands for.
 #pragma once
 
 #include <string_view>

@@ -16,7 +16,7 @@ std::string lower(std::string_view text) {
   return result;
 }
 
-/// How many letters must be added, left out, changed, or exchanged with the next one, to make b of a.
+/// Returns how many letters must be added, omitted, changed, or swapped with the next to turn a into b.
 std::size_t edits(std::string_view a, std::string_view b) {
   std::vector<std::vector<std::size_t>> least(a.size() + 1, std::vector<std::size_t>(b.size() + 1));
   for (std::size_t i = 0; i <= a.size(); ++i) {
@@ -41,7 +41,7 @@ std::string closestTo(std::string_view typed, std::span<const std::string> known
   const std::string_view letters =
       std::string_view(word).substr(std::min(word.find_first_not_of('-'), word.size()));
   if (letters.size() < 2 || word.size() > longest) return {};
-  // Of a word of three letters two would be nearly all.
+  // In a word of three letters, two edits would change nearly everything.
   std::size_t best = std::min(most_edits, letters.size() - 2) + 1;
   std::string closest;
   for (const std::string& candidate : known) {

@@ -1,4 +1,4 @@
-/// What somebody may have meant who typed a word that is not known.
+/// Suggestions for unknown words.
 #pragma once
 
 #include <span>
@@ -7,8 +7,9 @@
 
 namespace vorpipe::cli {
 
-/// The word of `known` that is likeliest meant by `typed`: in any case of letters, at most two letters from
-/// it (added, left out, changed, or two exchanged), or the shortest that it begins. Empty where none is.
+/// Returns the word of `known` most likely meant by `typed`, ignoring case. It differs in at most two letters
+/// (added, omitted, changed, or two swapped), or is the shortest word that begins with `typed`. Empty if
+/// there is none.
 std::string closestTo(std::string_view typed, std::span<const std::string> known);
 
 /// "; did you mean WORD?", or nothing.

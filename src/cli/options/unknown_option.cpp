@@ -19,7 +19,7 @@ std::string_view nameIn(std::string_view argument) {
 
 bool isOption(std::string_view argument) {
   if (argument.size() < 2 || argument[0] != '-') return false;
-  // Else a number.
+  // Otherwise it is a number.
   return std::isdigit(static_cast<unsigned char>(argument[1])) == 0 && argument[1] != '.';
 }
 
@@ -34,10 +34,10 @@ std::string isNone(std::string_view name, const DeclaredSubcommand& subcommand) 
   std::vector<std::string> names;
   for (const DeclaredOption& option : subcommand.options)
     names.insert(names.end(), option.names.begin(), option.names.end());
-  // In one line, whatever was typed.
+  // Quotes keep it in one line, whatever was typed.
   const std::string typed = inQuotes(name);
   const std::string hint = didYouMean(name, names);
-  // The program's own options are declared as those of a subcommand of its name.
+  // The program's own options are declared as a subcommand with the program's name.
   const std::string page = subcommand.name == "vorpipe" ? subcommand.name : "vorpipe " + subcommand.name;
   return fmt::format("unknown option {}{}", std::string_view(typed).substr(1, typed.size() - 2),
                      hint.empty() ? fmt::format("; see {} --help", page) : hint);

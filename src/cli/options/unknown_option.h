@@ -8,8 +8,8 @@
 
 namespace vorpipe::cli {
 
-/// What is wrong with the first of the arguments behind a subcommand that is none of its options; empty where
-/// all are, or help or the version is asked for before.
+/// Returns an error text for the first argument after a subcommand that is not one of its options. Empty if
+/// there is none, or if help or the version is requested before it.
 std::string unknownOption(const DeclaredSubcommand& subcommand, std::span<char* const> arguments);
 
 }  // namespace vorpipe::cli

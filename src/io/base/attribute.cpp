@@ -11,7 +11,7 @@ namespace {
 
 bool isDigit(char c) { return c >= '0' && c <= '9'; }
 
-/// Takes digits off the front; whether there was one.
+/// Takes digits off the front; returns whether there was one.
 bool takeDigits(std::string_view& text) {
   const auto end = std::ranges::find_if_not(text, isDigit);
   const auto count = static_cast<std::size_t>(end - text.begin());
@@ -19,7 +19,7 @@ bool takeDigits(std::string_view& text) {
   return count > 0;
 }
 
-/// Whether a double comes near a number: readers of JSON refuse others.
+/// Whether a double approximates a number: JSON readers refuse others.
 bool hasValue(std::string_view number) {
   constexpr std::size_t most_digits = 308;
   if (number.size() <= most_digits && number.find_first_of("eE") == std::string_view::npos) return true;

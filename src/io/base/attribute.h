@@ -1,4 +1,4 @@
-/// What an input says of its sites besides their places and weights: names, codes, figures.
+/// Site data of an input besides positions and weights: names, codes, figures.
 #pragma once
 
 #include <cstddef>
@@ -10,17 +10,17 @@
 
 namespace vorpipe {
 
-/// How the values of an attribute read.
+/// Type of an attribute's values.
 enum class AttributeType : std::uint8_t {
-  integer,  ///< as JSON has them, within 64 bits with a sign
-  real,     ///< numbers as JSON has them
+  integer,  ///< as in JSON, within signed 64 bits
+  real,     ///< numbers as in JSON
   boolean,  ///< true, false
   text,     ///< UTF-8
-  json,     ///< any JSON, lists and objects among them
+  json,     ///< any JSON, including lists and objects
 };
 
-/// One value for each site, in their order; a value may be missing. Values are kept as text, so that what
-/// comes out is what went in: `007` stays text, and a number keeps its digits.
+/// One value for each site, in their order; a value may be missing. Values are kept as text, so that output
+/// equals input: `007` stays text, and a number keeps its digits.
 class Attribute {
  public:
   explicit Attribute(std::string name, AttributeType type = AttributeType::text)
@@ -30,7 +30,7 @@ class Attribute {
   [[nodiscard]] AttributeType type() const { return type_; }
   [[nodiscard]] std::size_t size() const { return ends_.size(); }
 
-  /// The value of a site; none where it is missing. Of integers, reals, booleans and JSON, JSON's own text.
+  /// Returns the value of a site; none if it is missing. Integers, reals, booleans and JSON are JSON text.
   [[nodiscard]] std::optional<std::string_view> at(std::size_t site) const;
 
   /// Bytes of memory that its values take.
@@ -38,17 +38,17 @@ class Attribute {
     return text_.capacity() + ends_.capacity() * sizeof(std::uint64_t);
   }
 
-  /// The value of the next site.
+  /// Appends the value of the next site.
   void add(std::optional<std::string_view> value);
 
-  /// The same with each value rewritten; those that are missing stay so.
+  /// Returns a copy with each value rewritten; missing values stay missing.
   [[nodiscard]] Attribute rewritten(AttributeType type, std::string (*rewrite)(std::string_view)) const;
 
   void rename(std::string name) { name_ = std::move(name); }
   void setType(AttributeType type) { type_ = type; }
 
-  /// Takes the narrowest of integer, real and boolean that all values are written as; text where the values
-  /// have no such type in common, or where all of them are missing.
+  /// Sets the type to the narrowest of integer, real and boolean that fits all values; text if none fits or
+  /// all values are missing.
   void inferType();
 
  private:
@@ -56,11 +56,10 @@ class Attribute {
   AttributeType type_;
   std::string text_;  ///< all values, one after the other
   std::vector<std::uint64_t>
-      ends_;  ///< by site: where its value ends in text_, twice; plus 1 where it is missing
+      ends_;  ///< by site: twice the end of its value in text_, plus 1 if it is missing
 };
 
-/// Whether text is a number as JSON has it, and whether it is one without fraction and exponent that 64 bits
-/// with a sign hold.
+/// Whether text is a JSON number; whether it is one that has no fraction or exponent and fits signed 64 bits.
 bool isJsonNumber(std::string_view text);
 bool isJsonInteger(std::string_view text);
 

@@ -10,7 +10,7 @@ namespace vorpipe {
 
 FieldType fieldType(AttributeType type);
 
-/// Adds a site's value to its row; NULL where it is missing.
+/// Adds a site's value to its row; NULL if it is missing.
 void addValue(FeatureRow& row, const Attribute& attribute, std::size_t site);
 
 }  // namespace vorpipe

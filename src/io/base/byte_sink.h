@@ -11,15 +11,15 @@
 
 namespace vorpipe {
 
-/// Takes bytes in order, from the first to the last; there is no way back.
+/// Takes bytes in order, from first to last; it cannot go back.
 class ByteSink {
  public:
   virtual ~ByteSink() = default;
 
-  /// Appends bytes. Error (device): they were not taken. A writer that gets it stops, and returns it.
+  /// Appends bytes. Error (device): they were not taken. A writer then stops and returns the error.
   virtual Result<void> write(std::string_view bytes) = 0;
 
-  /// What is written, as messages begin: the path of a file.
+  /// Name that begins messages: the path of a file.
   [[nodiscard]] const std::string& name() const { return name_; }
 
  protected:
@@ -38,16 +38,16 @@ class MemorySink final : public ByteSink {
   Result<void> write(std::string_view bytes) override;
 
   [[nodiscard]] const std::string& bytes() const { return bytes_; }
-  /// Hands the bytes over, and is empty afterwards.
+  /// Returns the bytes and leaves the sink empty.
   std::string take() { return std::exchange(bytes_, {}); }
 
  private:
   std::string bytes_;
 };
 
-/// Hands the bytes on in pieces of any size, none of them empty, which are gone when the call returns. The
-/// callback must not throw, since libpng, which is C, stands between it and the caller of writePng. Error of
-/// write(): the callback returned false, and is not called again by the writer.
+/// Passes the bytes on in nonempty pieces of any size, each valid only during the call. The callback must not
+/// throw: libpng, a C library, is between it and the caller of writePng. Error of write(): the callback
+/// returned false; the writer does not call it again.
 class CallbackSink final : public ByteSink {
  public:
   using Callback = std::function<bool(std::string_view bytes)>;

@@ -33,7 +33,7 @@ Result<Contents> contentsOf(const std::string& path) {
   auto file = InputFile::open(path);
   if (!file) return tl::unexpected(std::move(file.error()));
   ContentHash hash;
-  // On the stack: what a run takes of the heap afterwards is forecast to a few percent.
+  // On the stack, since the heap use of a run afterwards is forecast to a few percent.
   std::array<char, 1 << 16> bytes;  // NOLINT(cppcoreguidelines-pro-type-member-init)
   for (;;) {
     const auto count = file->readAsIs(bytes);

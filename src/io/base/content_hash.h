@@ -1,4 +1,4 @@
-/// What is in a file, in a few letters.
+/// Size and hash of a file's contents.
 #pragma once
 
 #include <cstdint>
@@ -12,7 +12,7 @@ struct XXH3_state_s;
 
 namespace vorpipe {
 
-/// How many bytes, and their XXH3 hash of 128 bits, as `xxh128sum` prints it.
+/// Number of bytes and their 128-bit XXH3 hash, as `xxh128sum` prints it.
 struct Contents {
   std::uint64_t bytes = 0;
   std::string xxh128;
@@ -24,7 +24,7 @@ class ContentHash {
  public:
   ContentHash();
   void add(std::string_view bytes);
-  /// Of all that were added so far.
+  /// Contents of all bytes added so far.
   [[nodiscard]] Contents contents() const;
 
  private:
@@ -35,7 +35,7 @@ class ContentHash {
   std::uint64_t bytes_ = 0;
 };
 
-/// Reads a whole file, gzip as it is. Errors: those of InputFile.
+/// Reads a whole file; does not inflate gzip. Errors: those of InputFile.
 Result<Contents> contentsOf(const std::string& path);
 
 }  // namespace vorpipe

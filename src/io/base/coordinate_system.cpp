@@ -16,14 +16,14 @@
 namespace vorpipe {
 namespace {
 
-/// Systems of degrees that differ from WGS 84 by no more than the plates have drifted: ETRS89, NAD83, and
-/// those of other continents.
+/// Systems of degrees that differ from WGS 84 by at most the drift of the plates: ETRS89, NAD83, and those of
+/// other continents.
 constexpr std::array<std::int64_t, 18> near_wgs84 = {4326, 4979, 4258, 4937, 4269, 6318, 4171, 4619, 4173,
                                                      4283, 7844, 4167, 4674, 4490, 4612, 6668, 4737, 4148};
 
 bool isNearWgs84(std::int64_t code) { return std::ranges::find(near_wgs84, code) != near_wgs84.end(); }
 
-/// Web Mercator has had several numbers.
+/// Maps the several codes that Web Mercator has had to one.
 std::int64_t usualCode(std::int64_t code) {
   constexpr std::int64_t web_mercator = 3857;
   constexpr std::array<std::int64_t, 4> others = {3785, 900913, 102100, 102113};
@@ -34,7 +34,7 @@ bool hasCode(const CoordinateSystem& system) {
   return system.code > 0 && !system.organization.empty() && system.organization != "NONE";
 }
 
-/// Whether text is the same but for blanks and the case of letters.
+/// Whether texts are equal except for blanks and case.
 bool readTheSame(std::string_view a, std::string_view b) {
   const auto plain = [](std::string_view text) {
     std::string letters = lowerCase(text);
@@ -47,7 +47,7 @@ bool readTheSame(std::string_view a, std::string_view b) {
 }  // namespace
 
 CoordinateSystem systemOfCode(std::int64_t code) {
-  // EPSG numbers what has longitude and latitude so, but for the one whose center is that of the Earth.
+  // EPSG uses these codes for systems of longitude and latitude, except a geocentric one.
   constexpr std::int64_t first = 4001, last = 4999, geocentric = 4978;
   const bool degrees = (code >= first && code <= last && code != geocentric) || isNearWgs84(code);
   return {degrees ? CoordinateKind::degrees : CoordinateKind::plane, "EPSG", code, {}, {}};
@@ -90,7 +90,7 @@ SystemsAre compared(const CoordinateSystem& a, const CoordinateSystem& b) {
   using enum SystemsAre;
   const auto unknown = CoordinateKind::unknown;
   if (a.kind != b.kind && a.kind != unknown && b.kind != unknown) {
-    // A plane without a name may be that of the other: files of degrees are written of any coordinates.
+    // An unnamed plane may be that of the other: files that declare degrees are written with any coordinates.
     return hasName(a.kind == CoordinateKind::plane ? a : b) ? different : unclear;
   }
   if (!hasName(a) || !hasName(b)) return one;

@@ -1,4 +1,4 @@
-/// What the coordinates of an input are.
+/// Kind of an input's coordinates.
 #pragma once
 
 #include <cstdint>
@@ -11,51 +11,51 @@
 namespace vorpipe {
 
 enum class CoordinateKind : std::uint8_t {
-  unknown,  ///< nothing says
+  unknown,  ///< not stated
   degrees,  ///< longitude and latitude on the Earth
   plane,    ///< a plane, such as a projection of the Earth
 };
 
-/// A coordinate system, as far as files name it.
+/// A coordinate system as named by files.
 struct CoordinateSystem {
   CoordinateKind kind = CoordinateKind::unknown;
-  std::string organization{};  ///< who gave the code: "EPSG"; empty where there is none
+  std::string organization{};  ///< issuer of the code: "EPSG"; empty if there is none
   std::int64_t code = 0;       ///< 4326
-  std::string definition{};    ///< in WKT; empty where it is not known
-  /// Of a plane that --project makes: the longitude and latitude that Lambert's azimuthal equal-area
-  /// projection of WGS 84 is centered at; lengths are kilometers.
+  std::string definition{};    ///< in WKT; empty if unknown
+  /// For a plane made by --project: longitude and latitude of the center of Lambert's azimuthal equal-area
+  /// projection of WGS 84. Lengths are kilometers.
   std::optional<Point> equal_area_center{};
-  /// Of degrees that come back from such a plane, where edges are straight: its center. A ring around a pole
-  /// has all longitudes within 180 degrees of that, and one edge from the last to the first.
+  /// For degrees converted back from such a plane, where edges are straight: its center. A ring around a pole
+  /// has all longitudes within 180 degrees of the center, and one edge from the last to the first.
   std::optional<Point> from_plane_around{};
 };
 
-/// WGS 84, longitude before latitude: that of GeoJSON.
+/// WGS 84, longitude before latitude, as in GeoJSON.
 inline CoordinateSystem wgs84() { return {CoordinateKind::degrees, "EPSG", 4326, {}, {}}; }
 
-/// The system of a code of EPSG.
+/// Returns the system of an EPSG code.
 CoordinateSystem systemOfCode(std::int64_t code);
 
-/// The system that a text names: EPSG:25832, OGC:CRS84, the same as a URN or as an address of opengis.net, a
-/// code alone, which is EPSG's, or a definition in WKT (systemOfWkt). The error is that it names none.
+/// Returns the system that a text names: EPSG:25832 or OGC:CRS84, either also as a URN or an opengis.net
+/// address; a bare EPSG code; or a WKT definition (systemOfWkt). Error: it names none.
 tl::expected<CoordinateSystem, std::string> systemNamed(std::string_view text);
 
-/// Whether it is more than a kind: a code, or a definition.
+/// Whether the system has a code or a definition, not only a kind.
 bool hasName(const CoordinateSystem& system);
 
-/// The system in messages: "EPSG:25832", the name in its definition, or its kind.
+/// Returns the system's name for messages: "EPSG:25832", the name in its definition, or its kind.
 std::string nameOf(const CoordinateSystem& system);
 
-/// The system of degrees that are known to be degrees: the one that is named, or WGS 84.
+/// Returns the system of coordinates known to be degrees: the named one, or WGS 84.
 inline CoordinateSystem degreesOf(const CoordinateSystem& system) {
   return system.kind == CoordinateKind::degrees && hasName(system) ? system : wgs84();
 }
 
-/// How coordinates of two systems go together.
+/// How two coordinate systems compare.
 enum class SystemsAre : std::uint8_t {
-  one,      ///< the same, or nothing says otherwise
-  near,     ///< degrees that are within some two meters of each other
-  unclear,  ///< planes without names, or with some that only a database of all systems can compare
+  one,      ///< the same, or not known to differ
+  near,     ///< degrees that agree within about two meters
+  unclear,  ///< planes without names, or with names that only a database of all systems can compare
   different
 };
 SystemsAre compared(const CoordinateSystem& a, const CoordinateSystem& b);

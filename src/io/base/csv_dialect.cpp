@@ -10,7 +10,7 @@ namespace {
 
 constexpr std::string_view separators = ",;\t";
 
-/// How often a character stands outside of quotes.
+/// Returns how often a character occurs outside quotes.
 std::size_t countOf(std::string_view line, char separator) {
   bool quoted = false;
   std::size_t count = 0;
@@ -21,7 +21,7 @@ std::size_t countOf(std::string_view line, char separator) {
   return count;
 }
 
-/// Whether it separates numbers, of which there are two or more.
+/// Whether it separates two or more numbers.
 bool separatesNumbers(std::string_view line, char separator) {
   std::size_t count = 0;
   while (true) {
@@ -38,7 +38,7 @@ bool separatesNumbers(std::string_view line, char separator) {
 }  // namespace
 
 char separatorOf(std::string_view line) {
-  // "1,5;2,5" has as many commas as it has fields.
+  // In "1,5;2,5" counting does not help: it has as many commas as fields.
   for (const char separator : {';', '\t'}) {
     if (separatesNumbers(line, separator)) return separator;
   }
@@ -47,7 +47,7 @@ char separatorOf(std::string_view line) {
 
 std::optional<char> namedSeparator(std::string_view line) {
   constexpr std::string_view name = "sep=";
-  // A tab at the end may be what it names; spreadsheets put it all in quotes.
+  // A tab at the end may be the separator; spreadsheets quote the whole line.
   line.remove_prefix(std::min(line.find_first_not_of(" \t"), line.size()));
   while (line.size() > name.size() + 1 && (line.back() == ' ' || line.back() == '\t')) line.remove_suffix(1);
   if (line.size() == name.size() + 3 && line.front() == '"' && line.back() == '"')

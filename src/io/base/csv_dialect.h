@@ -1,4 +1,4 @@
-/// What separates the fields of a table, told from its first line.
+/// Finds the field separator of a table from its first line.
 #pragma once
 
 #include <optional>
@@ -6,12 +6,12 @@
 
 namespace vorpipe {
 
-/// Of a comma, a semicolon and a tab, what stands between the fields of a line: if all that it then separates
-/// are numbers, which may have decimal commas where it is no comma, that; else what there is most of. A comma
-/// where there is none.
+/// Returns the separator of a line's fields: comma, semicolon or tab. Prefers one with only numbers between,
+/// which may have decimal commas unless it is a comma. Otherwise returns the most frequent one; a comma if
+/// there is none.
 char separatorOf(std::string_view line);
 
-/// The separator that a line "sep=;" names, which spreadsheets write before all others.
+/// Returns the separator that a line "sep=;" names; spreadsheets write it as the first line.
 std::optional<char> namedSeparator(std::string_view line);
 
 }  // namespace vorpipe

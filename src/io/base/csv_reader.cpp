@@ -51,7 +51,7 @@ void CsvReader::Record::clear() {
   complete = false;
 }
 
-// The callbacks are called from C, which no exception may cross.
+// C code calls the callbacks, and no exception may cross it.
 void CsvReader::onField(void* text, std::size_t length, void* record) {
   auto& into = *static_cast<Record*>(record);
   try {
@@ -95,7 +95,7 @@ Result<void> CsvReader::parse(std::string_view line) {
   return {};
 }
 
-/// Whether a record begins with a line, and not a comment or what names the separator.
+/// Whether a line begins a record, rather than being a comment or naming the separator.
 Result<bool> CsvReader::isRecord(std::string_view line) {
   if (line.starts_with("\xFF\xFE") || line.starts_with("\xFE\xFF")) {
     return lines_.errorAt(1, "the text is UTF-16; UTF-8 is needed");

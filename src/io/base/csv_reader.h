@@ -17,22 +17,22 @@ namespace vorpipe {
 
 class CsvReader {
  public:
-  /// Without a separator, the first line tells it. Error (device): out of memory.
+  /// Without a separator, the first line determines it. Error (device): out of memory.
   static Result<CsvReader> create(LineReader lines, std::optional<char> separator = std::nullopt);
 
-  /// Reads the next record that is not blank and no comment, a line that begins with #; false after the last
-  /// one. Errors: a quote that is not closed or stands inside an unquoted field, a line or a record that is
-  /// too long, the text is UTF-16 (input); reading failed, out of memory (device).
+  /// Reads the next record, skipping blank lines and comments, which begin with #; false after the last one.
+  /// Errors: a quote that is not closed or is inside an unquoted field, a line or a record that is too long,
+  /// the text is UTF-16 (input); reading failed, out of memory (device).
   Result<bool> next();
 
   /// The lines after the last record, for a caller that parses them itself: see LineReader.
   Result<std::string_view> wholeLines() { return lines_.wholeLines(); }
   void skip(std::size_t bytes, std::uint64_t lines) { lines_.skip(bytes, lines); }
 
-  /// Known once there is a record.
+  /// Valid once a record was read.
   [[nodiscard]] char separator() const { return separator_.value_or(','); }
-  /// All comments, if there is one after the first record, where a line that begins with # may be meant as
-  /// another one; else 0.
+  /// Number of all comments if one follows the first record, where a line that begins with # may be meant as
+  /// a record; else 0.
   [[nodiscard]] std::uint64_t comments() const { return late_comment_ ? comments_ : 0; }
   /// Number of the last line of the last record.
   [[nodiscard]] std::uint64_t line() const { return lines_.number(); }

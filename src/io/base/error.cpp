@@ -11,7 +11,7 @@
 namespace vorpipe {
 namespace {
 
-/// Whether the system has no room for a file that may be as it should.
+/// Whether the system lacks room for a file that may itself be valid.
 bool isWantOfRoom(int code) {
   constexpr std::array codes{ENOSPC, EDQUOT, EMFILE, ENFILE, ENOMEM, EIO};
   return std::ranges::find(codes, code) != codes.end();

@@ -1,14 +1,14 @@
-/// The kind of a file by its name.
+/// File kinds by extension.
 #pragma once
 
 #include <string>
 
 namespace vorpipe {
 
-/// The extension of `path` in lower case, with its dot; empty where there is none.
+/// Returns the extension of `path` in lower case, with its dot; empty if there is none.
 std::string lowerExtension(const std::string& path);
 
-/// The extension that tells what an input holds: that of lowerExtension, but of x.csv.gz that of x.csv.
+/// Returns the extension that identifies an input's format: as lowerExtension, except .csv for x.csv.gz.
 std::string inputExtension(const std::string& path);
 
 }  // namespace vorpipe

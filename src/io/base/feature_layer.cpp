@@ -32,7 +32,8 @@ std::string upperCase(std::string text) {
   return text;
 }
 
-/// Whether a column of this type holds bytes: further geometries do, whose types have the names of theirs.
+/// Whether a column of this type holds bytes, as additional geometries do, whose types are names of
+/// geometries.
 bool isBinary(const std::string& type) {
   constexpr std::array<std::string_view, 11> geometries = {
       "POINT",      "LINESTRING",   "POLYGON",      "MULTIPOINT", "MULTILINESTRING", "MULTIPOLYGON",
@@ -41,7 +42,8 @@ bool isBinary(const std::string& type) {
          std::ranges::find(geometries, type) != geometries.end();
 }
 
-/// The types of columns that the standard names; what is unknown is text until its values say otherwise.
+/// Returns the type of a column by the standard's names; an unknown one is text until its values show
+/// otherwise.
 AttributeType typeOf(const std::string& type) {
   constexpr std::array<std::string_view, 6> integers = {"INT",      "INTEGER",   "TINYINT",
                                                         "SMALLINT", "MEDIUMINT", "BIGINT"};
@@ -57,7 +59,7 @@ CoordinateKind kindOf(const CoordinateSystem& system) {
   return system.organization == "EPSG" ? systemOfCode(system.code).kind : CoordinateKind::plane;
 }
 
-/// A layer, as the tables of the file have it.
+/// A layer as listed in the file's tables.
 struct Listed {
   std::string name, geometry_column, geometry_type;
   std::int64_t system;
@@ -82,7 +84,7 @@ std::string listed(std::span<const Listed> layers) {
   return fmt::format("{}", fmt::join(names, ", "));
 }
 
-/// Whether memory is there, and not what a damaged file asked for of it.
+/// Whether memory is available: if so, a damaged file requested too much.
 bool hasMemory() {
   constexpr sqlite3_uint64 some = 1 << 20;
   void* const memory = sqlite3_malloc64(some);
@@ -101,7 +103,7 @@ tl::unexpected<Error> FeatureLayer::failed(int code) const {
   if (!limits_->refusal().empty()) {
     return inputError(fmt::format("{}: cannot be read: {}", path_, limits_->refusal()));
   }
-  // SQLite quotes what the file has.
+  // SQLite's message may quote text of the file.
   const auto message = fmt::format("{}: cannot be read: {}", path_, escaped(sqlite3_errmsg(database_.get())));
   const bool device = (code & primary) == SQLITE_NOMEM || (code & primary) == SQLITE_IOERR;
   return device ? deviceError(message) : inputError(message);

@@ -18,36 +18,36 @@
 
 namespace vorpipe {
 
-/// What a layer is to hold.
+/// Geometry that a layer must hold.
 enum class LayerOf : std::uint8_t { points, polygons };
 
 struct LayerColumn {
   std::string name;
-  AttributeType type;  ///< as it was declared
+  AttributeType type;  ///< as declared
 };
 
 /// Rows of a layer, one after the other. Errors begin with the file's name.
 class FeatureLayer {
  public:
-  /// Opens a file for reading. `name` is the layer's; empty: the only one of that kind. Errors: it is no
-  /// GeoPackage, has no such layer, or several (input); reading failed, memory ran out (device).
+  /// Opens a file for reading. `name` is the layer's; empty: the only one of that kind. Errors: the file is
+  /// no GeoPackage, or has no such layer or several (input); reading failed, memory ran out (device).
   static Result<FeatureLayer> open(const std::string& path, const std::string& name, LayerOf kind);
 
   [[nodiscard]] const std::string& name() const { return name_; }
   [[nodiscard]] const CoordinateSystem& system() const { return system_; }
-  /// All but the geometry and what holds bytes.
+  /// All columns except the geometry and binary ones.
   [[nodiscard]] const std::vector<LayerColumn>& columns() const { return columns_; }
-  /// Those that hold bytes.
+  /// Columns that hold bytes.
   [[nodiscard]] const std::vector<std::string>& binary() const { return binary_; }
 
-  /// Goes on to the next row; false after the last. Errors: the file is damaged (input), reading failed
+  /// Advances to the next row; false after the last. Errors: the file is damaged (input), reading failed
   /// (device).
   Result<bool> next();
 
-  /// Of the row: the geometry's bytes, none where it is missing.
+  /// Returns the geometry's bytes in the current row; none if it is missing.
   [[nodiscard]] std::optional<std::string_view> geometry() const;
-  /// Of the row: a value as its column's type has it if it is such, else as SQLite stored it. None where it
-  /// is missing, or bytes. Text need not be UTF-8.
+  /// Returns a value of the current row, in its column's type if it fits, else as SQLite stored it. None if
+  /// it is missing or binary. Text need not be UTF-8.
   [[nodiscard]] std::optional<std::pair<AttributeType, std::string>> value(std::size_t column) const;
 
  private:
@@ -62,7 +62,7 @@ class FeatureLayer {
   Result<void> select();
 
   std::string path_;
-  std::unique_ptr<QueryLimits> limits_ = std::make_unique<QueryLimits>();  ///< which SQLite asks
+  std::unique_ptr<QueryLimits> limits_ = std::make_unique<QueryLimits>();  ///< used by SQLite's callbacks
   Database database_;
   std::string name_, geometry_column_;
   std::int64_t system_id_ = 0;

@@ -9,7 +9,7 @@
 namespace vorpipe {
 namespace {
 
-/// Whether a character stands in a string of JSON as it is.
+/// Whether a character needs no escape in a JSON string.
 bool isPlain(char c) {
   constexpr unsigned char first_printable = 0x20, first_of_several = 0x80;
   const auto byte = static_cast<unsigned char>(c);
@@ -18,7 +18,8 @@ bool isPlain(char c) {
 
 bool isBlank(char c) { return c == ' ' || c == '\t'; }
 
-/// Readers may take for the separator what the header has most of, outside of quotes: all that may be one.
+/// Readers may guess the separator as the most frequent one in the header outside quotes, so all possible
+/// separators need quotes.
 bool needsQuotes(std::string_view field) {
   return field.empty() || isBlank(field.front()) || isBlank(field.back()) ||
          field.find_first_of("\",;\t\r\n") != std::string_view::npos;

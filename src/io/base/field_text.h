@@ -1,4 +1,4 @@
-/// Text of any kind as a field of a file.
+/// Writes any text as a field of a file.
 #pragma once
 
 #include <string>
@@ -8,15 +8,14 @@
 
 namespace vorpipe {
 
-/// Appends a field of CSV by RFC 4180: in double quotes where it has a comma, a quote, a line's end or blanks
-/// at an end, or is empty, so that it differs from one that is missing.
+/// Appends a CSV field by RFC 4180. Quotes it if it has a comma, a quote, a line end, or blanks at an end. An
+/// empty field is also in double quotes, to differ from a missing one.
 void printCsvField(Bytes& text, std::string_view field);
 
-/// Appends a string of JSON: in double quotes, with control characters escaped, and what is no UTF-8
-/// replaced.
+/// Appends a JSON string: in double quotes, with control characters escaped and invalid UTF-8 replaced.
 void printJsonString(Bytes& text, std::string_view string);
 
-/// `text`, with what is no UTF-8 replaced.
+/// Returns `text` with invalid UTF-8 replaced.
 std::string utf8Of(std::string_view text);
 
 }  // namespace vorpipe

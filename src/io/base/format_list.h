@@ -1,4 +1,4 @@
-/// The kinds of files that something can be written as.
+/// Lists of output formats, one per file extension.
 #pragma once
 
 #include <fmt/core.h>
@@ -16,7 +16,7 @@
 
 namespace vorpipe {
 
-/// The extensions of `formats`, each of which has one, in their order.
+/// Returns the extension of each of `formats`, in their order.
 template <class Format>
 std::vector<std::string_view> extensionsOf(std::span<const Format* const> formats) {
   std::vector<std::string_view> extensions;
@@ -24,7 +24,8 @@ std::vector<std::string_view> extensionsOf(std::span<const Format* const> format
   return extensions;
 }
 
-/// The format that the path's extension names; never null. Error (input): it names none; `what` they are for.
+/// Returns the format that the path's extension names; never null. Error (input): it names none; `what` is
+/// what the formats are for.
 template <class Format>
 Result<const Format*> formatFor(const std::string& path, std::string_view what,
                                 std::span<const Format* const> formats) {

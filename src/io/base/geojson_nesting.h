@@ -1,9 +1,9 @@
-/// How deep GeoJSON may stand in itself.
+/// How deep GeoJSON may nest.
 #pragma once
 
 namespace vorpipe {
 
-/// GeometryCollections in each other, of which the standard says that they should not (RFC 7946, 3.1.8).
+/// Nesting depth of GeometryCollections, which the standard advises against (RFC 7946, 3.1.8).
 inline constexpr int most_nested_collections = 32;
 
 }  // namespace vorpipe

@@ -23,8 +23,8 @@ enum class FeaturesAs : std::uint8_t {
   lines,       ///< GeoJSONSeq without record separators, as GDAL, PostGIS and tile makers stream it
 };
 
-/// Writes the feature that `put(bytes, index)` appends for each index below `count`; put returns false where
-/// it appends none. It is called as writeEach() calls it. Error (device): writing failed.
+/// Writes the feature that `put(bytes, index)` appends for each index below `count`; put returns false if it
+/// appends none. Calls put as writeEach() does. Error (device): writing failed.
 template <class Put>
 Result<void> writeFeatures(ByteSink& sink, FeaturesAs as, std::size_t count, const Put& put, int threads) {
   const bool lines = as == FeaturesAs::lines;

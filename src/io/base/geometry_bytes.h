@@ -1,4 +1,4 @@
-/// The bytes of a GeoPackage's geometries, while they are read.
+/// Reads the bytes of GeoPackage geometries.
 #pragma once
 
 #include <algorithm>
@@ -14,14 +14,15 @@
 
 namespace vorpipe {
 
-/// What is wrong with a geometry, where something is.
+/// Success, or what is wrong with a geometry.
 using GeometryTaken = tl::expected<void, std::string>;
 
 inline tl::unexpected<std::string> wrongGeometry(std::string what) { return tl::unexpected(std::move(what)); }
 
 inline GeometryTaken damagedGeometry() { return wrongGeometry("its geometry is damaged: it ends too early"); }
 
-/// Numbers of either byte order off the front of bytes; 0 where they end, after which failed() is true.
+/// Takes numbers of either byte order off the front of bytes. Past their end it returns 0, and failed() is
+/// true.
 class ByteReader {
  public:
   explicit ByteReader(std::string_view bytes) : rest_(bytes) {}
@@ -57,14 +58,13 @@ struct WkbType {
   std::size_t numbers = 2;
 };
 
-/// Takes the byte order and the type that a geometry of well-known binary begins with, of ISO or with the
-/// flags of PostGIS.
+/// Takes the byte order and type at the start of a well-known binary geometry, by ISO or with PostGIS flags.
 WkbType takeWkbType(ByteReader& reader);
 
-/// The type in messages: "Polygon".
+/// Returns the type's name for messages: "Polygon".
 std::string nameOfWkbType(std::uint32_t type);
 
-/// Takes x and y, and leaves out what else a position has.
+/// Takes x and y, and skips a position's other numbers.
 Point takeWkbPosition(ByteReader& reader, const WkbType& type);
 
 /// Takes the header of a geometry by clause 2.1.3 of the standard.

@@ -15,7 +15,7 @@ GeometryTaken takePosition(ByteReader& reader, const WkbType& type, std::vector<
                            bool& others) {
   const auto [x, y] = takeWkbPosition(reader, type);
   if (reader.failed()) return damagedGeometry();
-  // An empty point is one of no numbers.
+  // The coordinates of an empty point are NaN.
   if (std::isnan(x) && std::isnan(y)) return {};
   if (!std::isfinite(x) || !std::isfinite(y))
     return wrongGeometry(fmt::format("its place {}, {} is not finite", x, y));

@@ -15,7 +15,7 @@ namespace {
 
 GeometryTaken takeRing(ByteReader& reader, const WkbType& type, std::vector<Point>& ring) {
   const auto count = reader.take<std::uint32_t>();
-  // Counts of damaged geometries may be anything: what is not there ends the loop.
+  // Counts in damaged geometries may be anything: the end of the bytes ends the loop.
   for (std::uint32_t k = 0; k < count && !reader.failed(); ++k) {
     const auto [x, y] = takeWkbPosition(reader, type);
     if (!std::isfinite(x) || !std::isfinite(y))

@@ -1,4 +1,4 @@
-/// Polygons out of a GeoPackage's geometries.
+/// Polygons from GeoPackage geometries.
 #pragma once
 
 #include <string>
@@ -9,11 +9,11 @@
 
 namespace vorpipe {
 
-/// A polygon as a file has it: its outer ring, then its holes, each of which ends where it began.
+/// A polygon as in a file: its outer ring, then its holes; each ring ends at its first point.
 using PolygonRings = std::vector<std::vector<Point>>;
 
 /// Appends the polygons of a geometry: a Polygon, a MultiPolygon, or a collection of them. Empty ones append
-/// nothing. The error is what is wrong: no polygon, not finite, damaged.
+/// nothing. The error states what is wrong: no polygon, not finite, damaged.
 tl::expected<void, std::string> takeGeometryPolygons(std::string_view bytes,
                                                      std::vector<PolygonRings>& polygons);
 

@@ -15,7 +15,7 @@
 namespace vorpipe {
 namespace {
 
-/// A file in memory while it is filled.
+/// A file in memory that is being filled.
 class Filling {
  public:
   Filling(ByteSink& sink, const Layer& layer) : sink_(sink), layer_(layer) {}
@@ -27,7 +27,7 @@ class Filling {
   Result<void> write();
 
  private:
-  /// What SQLite says of what went wrong.
+  /// Returns SQLite's message about what went wrong.
   [[nodiscard]] tl::unexpected<Error> failed(int code) const;
   Result<void> execute(const std::string& sql);
   Result<Statement> prepare(const std::string& sql);
@@ -79,7 +79,7 @@ Result<void> Filling::step(const Statement& statement) {
 }
 
 Result<void> Filling::open() {
-  // Kept in one piece by this file system of SQLite's, so that sqlite3_serialize makes no copy.
+  // SQLite's "memdb" file system keeps it in one piece, so that sqlite3_serialize makes no copy.
   sqlite3* database = nullptr;
   const int code = sqlite3_open_v2("layer", &database, SQLITE_OPEN_READWRITE | SQLITE_OPEN_CREATE, "memdb");
   database_.reset(database);

@@ -1,4 +1,4 @@
-/// GeoPackages: databases of SQLite with features, by OGC 12-128r17 (version 1.3).
+/// GeoPackages: SQLite databases with features, by OGC 12-128r17 (version 1.3).
 #pragma once
 
 #include <cstdint>
@@ -24,8 +24,8 @@ struct LayerField {
   FieldType type;
 };
 
-/// A table of features: its key is `fid`, from 1; its geometry `geom`; then come the fields, whose names
-/// differ in more than their case.
+/// A table of features: the key `fid`, from 1; the geometry `geom`; then the fields, whose names differ in
+/// more than case.
 struct Layer {
   std::string name;
   GeometryType geometry;  ///< of all features
@@ -33,7 +33,7 @@ struct Layer {
   CoordinateSystem system;
 };
 
-/// A feature while it is written: its geometry, and its values in the order of the fields.
+/// A feature being written: its geometry, and its values in the order of the fields.
 class FeatureRow {
  public:
   FeatureRow(sqlite3_stmt* insertion, std::int32_t system) : insertion_(insertion), system_(system) {}
@@ -44,9 +44,9 @@ class FeatureRow {
   void add(std::string_view value);  ///< UTF-8
   void addMissing();
 
-  /// SQLite's code of the first thing that went wrong.
+  /// SQLite's code of the first failure.
   [[nodiscard]] int code() const { return code_; }
-  /// That of the geometry; none where there is none.
+  /// Box of the geometry; none if there is no geometry.
   [[nodiscard]] const std::optional<Box>& box() const { return box_; }
 
  private:
@@ -60,13 +60,13 @@ class FeatureRow {
   std::optional<Box> box_;
 };
 
-/// Fills the row of the feature `index`; false where it is left out.
+/// Fills the row of the feature `index`; returns false to leave it out.
 using FillRow = std::function<bool(std::size_t index, FeatureRow& row)>;
 
-/// Writes a GeoPackage with one layer, of what `fill` says for each index below `count`, and an R-tree of the
-/// boxes. The same features give the same bytes: the time of change that a GeoPackage has to name is
-/// 2000-01-01. The whole file is in memory. Errors: SQLite takes no layer such as this, with more than some
-/// 2,000 fields or a value of more than 1 GB (input); writing failed or memory ran out (device).
+/// Writes a GeoPackage with one layer of the rows that `fill` fills for each index below `count`, and an
+/// R-tree of their boxes. The same features give the same bytes: the required time of change is always
+/// 2000-01-01. The whole file is in memory. Errors: SQLite refuses such a layer, with more than some 2,000
+/// fields or a value of more than 1 GB (input); writing failed or memory ran out (device).
 Result<void> writeGeoPackage(ByteSink& sink, const Layer& layer, std::size_t count, const FillRow& fill);
 
 }  // namespace vorpipe

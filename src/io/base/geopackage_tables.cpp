@@ -18,7 +18,7 @@ const char* const wgs84_definition =
     R"(UNIT["degree",0.0174532925199433,AUTHORITY["EPSG","9122"]],AXIS["Latitude",NORTH],)"
     R"(AXIS["Longitude",EAST],AUTHORITY["EPSG","4326"]])";
 
-/// The rows that the standard asks for.
+/// Returns the rows that the standard requires.
 std::array<SpatialReference, 3> standardReferences() {
   return {{{"Undefined Cartesian SRS", unknown_plane, "NONE", unknown_plane, "undefined"},
            {"Undefined geographic SRS", unknown_degrees, "NONE", unknown_degrees, "undefined"},
@@ -69,7 +69,7 @@ SpatialReference referenceOf(const CoordinateSystem& system) {
   }
   if (system.organization == wgs84.organization && system.code == wgs84.code) return wgs84;
   const std::string definition = system.definition.empty() ? "undefined" : system.definition;
-  // The number of a row is free to choose; that of the organization is what people look for.
+  // The id of a row is arbitrary; people look for the organization's code.
   const bool fits = named && system.code > 0 && system.code <= std::numeric_limits<std::int32_t>::max();
   const auto id = fits && system.code != wgs84.code ? static_cast<std::int32_t>(system.code) : first_own;
   if (!named) return {"Coordinate system of the input", id, "NONE", id, definition};
@@ -135,7 +135,7 @@ std::string treeTable(const Layer& layer) {
 }
 
 std::string treeTriggers(const Layer& layer) {
-  // Those of the standard, annex F.3; the functions are those of programs that change the layer.
+  // Triggers of the standard, annex F.3; programs that change the layer provide the functions.
   using namespace fmt::literals;
   return fmt::format(
       R"(CREATE TRIGGER "rtree_{t}_geom_insert" AFTER INSERT ON "{t}"

@@ -19,7 +19,7 @@ struct SpatialReference {
   std::string definition;
 };
 
-/// That of a coordinate system: one that is not known is an undefined plane, -1, and degrees of unknown
+/// Returns the row of a coordinate system: an unknown one is an undefined plane, -1; degrees of unknown
 /// origin are 0.
 SpatialReference referenceOf(const CoordinateSystem& system);
 
@@ -32,11 +32,11 @@ std::string layerTable(const Layer& layer, const SpatialReference& reference);
 /// SQL that inserts a feature: its geometry is parameter 1, and its fields follow.
 std::string featureInsertion(const Layer& layer);
 
-/// SQL that creates a layer's R-tree, without triggers; and that keeps it up to date from then on.
+/// SQL that creates a layer's R-tree without triggers; SQL that keeps it up to date from then on.
 std::string treeTable(const Layer& layer);
 std::string treeTriggers(const Layer& layer);
 
-/// SQL that notes the box of all features.
+/// SQL that stores the box of all features.
 std::string contentsBox(const Layer& layer, const Box& box);
 
 }  // namespace vorpipe

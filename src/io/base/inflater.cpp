@@ -13,7 +13,7 @@ namespace vorpipe {
 namespace {
 
 constexpr std::size_t packed_size = std::size_t{1} << 16;
-/// The largest window, and a header and checksums as gzip has them.
+/// The largest window, with header and checksums of gzip.
 constexpr int gzip_window = 15 + 16;
 
 Bytef* bytesOf(char* bytes) { return reinterpret_cast<Bytef*>(bytes); }

@@ -17,10 +17,10 @@ namespace vorpipe {
 
 class Inflater {
  public:
-  /// One byte of deflate's stands for no more than that.
+  /// One deflated byte inflates to at most this many.
   static constexpr std::uint64_t largest_ratio = 1032;
 
-  /// Fills what it is given unless the file ends first; returns how many bytes that are.
+  /// Fills the given span unless the file ends first; returns the number of bytes filled.
   using Source = std::function<Result<std::size_t>(std::span<char>)>;
 
   /// Whether bytes begin as a gzip file does.
@@ -29,9 +29,9 @@ class Inflater {
   /// Error (device): memory ran out.
   static Result<Inflater> create();
 
-  /// Fills `bytes` unless what `source` has ends first; returns how many bytes it has filled. Several gzip
-  /// files in a row are one. Errors: they are damaged or end too early (input); those of `source`. `name`
-  /// begins the message.
+  /// Fills `bytes` unless `source` ends first; returns the number of bytes filled. Concatenated gzip files
+  /// count as one. Errors: they are damaged or end too early (input); those of `source`. `name` begins the
+  /// message.
   Result<std::size_t> read(std::span<char> bytes, const Source& source, const std::string& name);
 
  private:

@@ -99,7 +99,7 @@ Result<std::size_t> InputFile::read(std::span<char> bytes) {
       bytes, [this](std::span<char> packed) { return readAsIs(packed); }, name_);
 }
 
-/// The head first, which was read already.
+/// Returns the head first, which was already read.
 Result<std::size_t> InputFile::readAsIs(std::span<char> bytes) {
   const std::size_t known = std::min(head_end_ - head_begin_, bytes.size());
   std::copy_n(head_.begin() + static_cast<std::ptrdiff_t>(head_begin_), known, bytes.begin());
@@ -129,7 +129,7 @@ Result<std::string> readText(InputFile& file, std::size_t most) {
   std::string text;
   while (true) {
     const std::size_t size = text.size();
-    // To grow, a text is copied.
+    // Growing a text copies it.
     if (size == text.capacity()) {
       auto room = checkRoom(file.name(), fmt::format("first {} MB", size >> 20), 3 * size);
       if (!room) return tl::unexpected(std::move(room.error()));

@@ -25,16 +25,16 @@ class InputFile {
   InputFile& operator=(InputFile&& other) noexcept;
   ~InputFile();
 
-  /// Fills `bytes` unless the file ends first; returns how many bytes it has read. Error (device): the
-  /// system could not read. Of a file that begins as gzip does, the bytes are those that were packed; error
-  /// (input): they are damaged or end too early.
+  /// Fills `bytes` unless the file ends first; returns the number of bytes read. Inflates a file that begins
+  /// as gzip does. Errors: the system could not read (device); gzip data are damaged or end too early
+  /// (input).
   Result<std::size_t> read(std::span<char> bytes);
-  /// The same of the bytes that stand in the file, whether gzip or not. Either this or read is called.
+  /// The same for the bytes as stored, whether gzip or not. Call either this or read.
   Result<std::size_t> readAsIs(std::span<char> bytes);
 
-  /// Size in bytes; none where it is not known beforehand (a pipe, a terminal, and gzip once it is read).
+  /// Size in bytes; none if unknown beforehand (a pipe, a terminal, and gzip once it is read).
   [[nodiscard]] std::optional<std::uint64_t> size() const { return size_; }
-  /// More bytes than a file can hold, which may be packed; none where its own size is not known beforehand.
+  /// Upper bound on the bytes that a file holds, even if packed; none if its own size is unknown beforehand.
   [[nodiscard]] std::optional<std::uint64_t> mostBytes() const;
   /// The path as it was given, for messages; "<stdin>" for standard input.
   [[nodiscard]] const std::string& name() const { return name_; }
@@ -46,16 +46,16 @@ class InputFile {
 
   int descriptor_;
   std::string name_;
-  std::optional<std::uint64_t> size_, stored_size_;  ///< stored_size_: of gzip as it is
+  std::optional<std::uint64_t> size_, stored_size_;  ///< stored_size_: before gzip is inflated
   bool begun_ = false;
-  std::array<char, 2> head_{};  ///< the first bytes, which tell gzip
+  std::array<char, 2> head_{};  ///< the first bytes, which identify gzip
   std::size_t head_begin_ = 0, head_end_ = 0;
   std::optional<Inflater> inflater_;
-  std::shared_ptr<ContentHash> hash_;  ///< of a stream that a ReadLog notes
+  std::shared_ptr<ContentHash> hash_;  ///< of a stream noted by a ReadLog
 };
 
-/// All that is left of a file. Errors: those of reading; (input) there are more than `most` bytes, or than
-/// memory holds.
+/// Returns the rest of a file. Errors: those of reading; more than `most` bytes, or more than memory holds
+/// (input).
 Result<std::string> readText(InputFile& file, std::size_t most = std::string::npos);
 
 }  // namespace vorpipe

@@ -6,7 +6,7 @@
 
 namespace vorpipe {
 
-/// What is parsed takes up to this many bytes for each of its text's, in lists of empty lists.
+/// Parsed values take up to `bytes_of_byte` bytes per byte of text, for lists of empty lists.
 void JsonBytes::checkKept() {
   constexpr std::uint64_t bytes_of_byte = 40, little = 1 << 22;
   const std::uint64_t kept = count_ - kept_from_;

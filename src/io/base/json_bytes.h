@@ -1,4 +1,4 @@
-/// The bytes of JSON that is parsed while it is read.
+/// Bytes of JSON that is parsed while it is read.
 #pragma once
 
 #include <cstddef>
@@ -15,23 +15,23 @@
 
 namespace vorpipe {
 
-/// The bytes of a text, one by one, and the line and column of the last.
+/// Bytes of a text, one by one, with the line and column of the last one.
 class JsonBytes {
  public:
-  /// `name` begins errors; of a file, its own does.
+  /// `name` begins error messages; for a file, its own name does.
   JsonBytes(std::string name, std::string_view text)
       : name_(std::move(name)), next_(text.data()), end_(text.data() + text.size()) {}
   explicit JsonBytes(InputFile& file) : name_(file.name()), file_(&file), buffer_(chunk) {}
 
-  /// The line of the first byte, and how many bytes stand before it there.
+  /// Sets the line of the first byte, and the number of bytes before it on that line.
   void setPlace(std::uint64_t line, std::uint64_t before) {
     line_ = line;
     before_ = before;
   }
 
-  /// Whether all bytes were taken, or it was stopped.
+  /// Whether all bytes were taken or stop() was called.
   bool atEnd() { return next_ == end_ && !refill(); }
-  /// The next byte, where it is not at the end.
+  /// The next byte; call only before the end.
   [[nodiscard]] char next() const { return *next_; }
   void take() {
     const char c = *next_++;
@@ -42,24 +42,24 @@ class JsonBytes {
       number_column_ = column();
     }
     in_number_ = in_number;
-    // To the parser it is the end, whatever follows.
+    // The parser takes this byte for the end, whatever follows.
     if (c == '\0') stop(errorAt(0, "is no JSON from here on: a byte is 0"));
   }
 
-  /// What was parsed up to here is not kept: what follows may take as much memory again.
+  /// Notes that the parsed text so far is not kept: what follows may take as much memory again.
   void forget() { kept_from_ = count_; }
 
   /// Ends the text here: the parser then fails, and parseJson returns this error.
   void stop(tl::unexpected<Error> error);
   [[nodiscard]] bool stopped() const { return stopped_.has_value(); }
 
-  /// "NAME:LINE:COLUMN: what", as an input error, about the last byte but `back`, or about the number that
-  /// was read last.
+  /// Returns "NAME:LINE:COLUMN: what" as an input error about the byte `back` before the last, or about the
+  /// number read last.
   [[nodiscard]] tl::unexpected<Error> errorAt(std::size_t back, std::string_view what) const;
   [[nodiscard]] tl::unexpected<Error> errorAtNumber(std::string_view what) const;
 
   [[nodiscard]] const std::string& name() const { return name_; }
-  /// Bytes that were taken, and the end, as the parser counts.
+  /// Number of bytes taken; as in the parser, the end counts as one.
   [[nodiscard]] std::uint64_t count() const { return count_; }
   [[nodiscard]] const std::optional<Error>& error() const { return stopped_; }
 
@@ -78,7 +78,7 @@ class JsonBytes {
     ++count_;
     last_ = c;
   }
-  /// Of the last byte.
+  /// Column of the last byte.
   [[nodiscard]] std::uint64_t column() const { return before_ + count_ - line_begin_; }
   bool refill();
   void checkKept();
@@ -89,14 +89,14 @@ class JsonBytes {
   const char* next_ = nullptr;
   const char* end_ = nullptr;
   std::uint64_t count_ = 0, line_ = 1, before_ = 0, line_begin_ = 0;
-  std::uint64_t kept_from_ = 0;  ///< count_ where what the parser keeps began
+  std::uint64_t kept_from_ = 0;  ///< count_ at the start of what the parser keeps
   std::uint64_t number_line_ = 1, number_column_ = 1;
   char last_ = ' ';
   bool in_number_ = false, at_end_ = false;
   std::optional<Error> stopped_;
 };
 
-/// For the parser, which takes iterators.
+/// Iterator over JsonBytes for the parser.
 class JsonIterator {
  public:
   using iterator_category = std::input_iterator_tag;

@@ -1,4 +1,4 @@
-/// JSON texts, one on a line. What includes this compiles the parser.
+/// JSON texts, one per line. Including this header compiles the parser.
 #pragma once
 
 #include <fmt/core.h>
@@ -13,14 +13,14 @@
 
 namespace vorpipe {
 
-/// The bytes of a line of JSON; RFC 8142 has one before it that is none.
+/// Returns the JSON of a line, without the separator that RFC 8142 puts before it.
 inline std::string_view withoutSeparator(std::string_view line) {
   line = trimmed(line);
   return line.starts_with('\x1E') ? trimmed(line.substr(1)) : line;
 }
 
-/// Calls take(value) with what each line that is not blank holds; it returns what is wrong with it, if there
-/// is anything, which is put behind the line's place. Errors: those of reading and parsing (input, device).
+/// Calls take(value) for each nonblank line. take returns what is wrong with the value, if anything; the
+/// error puts the line's place before it. Errors: those of reading and parsing (input, device).
 template <class Json, class Take>
 Result<void> eachJsonLine(LineReader& lines, const Take& take) {
   while (true) {

@@ -1,4 +1,4 @@
-/// JSON that is parsed while it is read. What includes this compiles the parser.
+/// Parses JSON while reading it. Including this header compiles the parser.
 #pragma once
 
 #include <fmt/core.h>
@@ -15,24 +15,23 @@
 
 namespace vorpipe {
 
-/// For JSON that is kept as a whole.
+/// Items of JSON that is kept as a whole.
 struct NoItems {
   [[nodiscard]] bool isList(std::string_view /*member*/) const { return false; }
   template <class Json>
   void take(const Json& /*item*/) {}
 };
 
-/// What the parser tells of a text, in its order, as values. Of the top object's members that `Items` calls
-/// lists each item is given to it as soon as it is whole, and not kept. Stops the text where lists and
-/// objects stand too deep in each other, or an object has more members than the parser, which may compare
-/// each with all before it, should be given. (The parser's own callback would look at all of a list's items
-/// at the end of each.)
+/// Builds values from the parser's events, in the order of the text. `Items` names members of the top object
+/// that are lists. It gets each of their items once complete; they are not kept. Stops the text if lists and
+/// objects nest too deep or an object has too many members: the parser may compare each with all before it.
+/// (The parser's own callback would look at all of a list's items at the end of each.)
 template <class Json, class Items>
 class JsonBuilder {
  public:
   JsonBuilder(JsonBytes& bytes, Items& items) : bytes_(bytes), items_(items), top_builder_(top_) {}
 
-  // Called by nlohmann::json's parser, which knows them by these names; false ends it.
+  // Called by nlohmann::json's parser, which requires these names; false ends parsing.
   bool null() {
     return single([](Values& to) { return to.null(); });
   }
@@ -84,14 +83,14 @@ class JsonBuilder {
     return false;
   }
 
-  /// What was not given away.
+  /// The value without the items passed on.
   Json& top() { return top_; }
 
  private:
   using Values = nlohmann::detail::json_sax_dom_parser<Json>;
 
   static constexpr std::size_t deepest = 200, most_members = 2000;
-  /// As many lists and objects stand around an item.
+  /// Number of lists and objects around an item.
   static constexpr std::size_t depth_of_items = 2;
 
   Values& values() { return item_builder_ ? *item_builder_ : top_builder_; }
@@ -133,13 +132,14 @@ class JsonBuilder {
   Json top_, item_;
   Values top_builder_;
   std::optional<Values> item_builder_;              ///< while there is an item
-  std::size_t depth_ = 0;                           ///< lists and objects around what comes next
-  std::array<std::size_t, deepest + 1> members_{};  ///< by depth: of the object that was begun last
+  std::size_t depth_ = 0;                           ///< lists and objects around the next value
+  std::array<std::size_t, deepest + 1> members_{};  ///< by depth: count for the object begun last
   bool of_object_ = false, in_list_ = false;
   std::string member_;  ///< of the top object
 };
 
-/// Parses one JSON text. Errors: it is no JSON, with its place (input); those of reading; what stopped it.
+/// Parses one JSON text. Errors: it is no JSON, with its place (input); those of reading; the error that
+/// stopped it.
 template <class Json, class Items>
 Result<Json> parseJson(JsonBytes& bytes, Items& items) {
   JsonBuilder<Json, Items> builder(bytes, items);

@@ -1,4 +1,4 @@
-/// JSON as text, for those who make it: the library's own writer takes long to compile.
+/// Writes JSON as text; separate because the JSON library's writer takes long to compile.
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>
@@ -7,10 +7,10 @@
 
 namespace vorpipe {
 
-/// With a line's end. What is no UTF-8 is replaced: a driver's name may hold any bytes.
+/// Returns the text with a final line end. Invalid UTF-8 is replaced: a driver's name may hold any bytes.
 std::string jsonText(const nlohmann::ordered_json& json, int indent);
 
-/// UTF-8 text as a string of JSON, in double quotes.
+/// Returns UTF-8 text as a JSON string in double quotes.
 std::string jsonString(std::string_view text);
 
 }  // namespace vorpipe

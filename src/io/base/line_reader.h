@@ -12,7 +12,7 @@
 
 namespace vorpipe {
 
-/// A file's text as it is after a UTF-8 byte order mark, if there is one.
+/// Returns a file's text without its UTF-8 byte order mark, if there is one.
 std::string_view withoutByteOrderMark(std::string_view text);
 
 class LineReader {
@@ -27,7 +27,7 @@ class LineReader {
   Result<std::optional<std::string_view>> next();
 
   /// The lines in the buffer that end with LF, their ends included; reads more of the file if there is no
-  /// such line. Empty at the end of the file, and where a line is longer than the buffer. Error (device):
+  /// such line. Empty at the end of the file, and if a line is longer than the buffer. Error (device):
   /// reading failed.
   Result<std::string_view> wholeLines();
   /// Consumes the first `bytes` bytes, which are `lines` lines, of what wholeLines() returned last.

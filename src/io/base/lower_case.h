@@ -1,4 +1,4 @@
-/// Names in any case.
+/// Case-insensitive names.
 #pragma once
 
 #include <string>
@@ -6,7 +6,7 @@
 
 namespace vorpipe {
 
-/// With the letters of ASCII as small ones.
+/// Returns `text` with ASCII letters in lower case.
 inline std::string lowerCase(std::string_view text) {
   std::string lower(text);
   for (char& letter : lower) {

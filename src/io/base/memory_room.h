@@ -1,4 +1,4 @@
-/// Whether there is memory for what a file claims to hold, before it is taken.
+/// Checks, before allocation, whether there is memory for what a file claims to hold.
 #pragma once
 
 #include <cstdint>
@@ -8,7 +8,7 @@
 
 namespace vorpipe {
 
-/// Error (input): `bytes` are more than this process may take; "NAME: its WHAT need about ...".
+/// Error (input): `bytes` is more than this process may allocate; "NAME: its WHAT need about ...".
 Result<void> checkRoom(std::string_view name, std::string_view what, std::uint64_t bytes);
 
 }  // namespace vorpipe

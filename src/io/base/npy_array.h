@@ -10,7 +10,7 @@
 
 namespace vorpipe {
 
-/// A .npy file in two parts; `elements` are those of the array that it was made of, which must stay.
+/// A .npy file in two parts; `elements` points into the source array, which must outlive it.
 struct NpyArray {
   std::string header;
   std::string_view elements;
@@ -27,7 +27,7 @@ std::string npyType() {
   return {order, kind, static_cast<char>('0' + sizeof(Number))};
 }
 
-/// `rows`, of `columns` numbers each, as an array of two dimensions, or of one where there is one column.
+/// `rows`, of `columns` numbers each, as an array of two dimensions, or of one if there is one column.
 template <class Number, std::uint64_t columns, class Row>
 NpyArray npyArray(std::span<const Row> rows) {
   static_assert(sizeof(Row) == columns * sizeof(Number));

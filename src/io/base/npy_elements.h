@@ -1,4 +1,4 @@
-/// The elements of a .npy file, in the order in which they stand in the file.
+/// Reads the elements of a .npy file in their order in the file.
 #pragma once
 
 #include <algorithm>
@@ -18,7 +18,7 @@
 
 namespace vorpipe {
 
-/// `bytes` as one Value of the byte order given.
+/// Returns `bytes` as one Value in the given byte order.
 template <class Value>
 Value valueOf(const char* bytes, bool big_endian) {
   char native[sizeof(Value)];
@@ -53,7 +53,7 @@ Result<void> eachElement(InputFile& file, const NpyHeader& header, std::uint64_t
       }
     }
   }
-  // What has no size beforehand, gzip among it, is read to its end, where its checksum is.
+  // A file of unknown size, such as gzip, must be read to its end, where its checksum is.
   char more = 0;
   const auto rest = file.read(std::span(&more, 1));
   if (!rest) return tl::unexpected(rest.error());
@@ -61,8 +61,8 @@ Result<void> eachElement(InputFile& file, const NpyHeader& header, std::uint64_t
   return {};
 }
 
-/// Whether eachNumber() takes the elements: all of NumPy's numbers, but for float16, longdouble and complex
-/// ones, and its booleans.
+/// Whether eachNumber() takes the elements: NumPy's booleans and numbers, except float16, longdouble and
+/// complex ones.
 inline bool areNumbers(const NpyHeader& header) {
   const std::size_t size = header.size;
   if (header.kind == 'f') return size == sizeof(float) || size == sizeof(double);
@@ -70,7 +70,7 @@ inline bool areNumbers(const NpyHeader& header) {
   return (header.kind == 'i' || header.kind == 'u') && std::has_single_bit(size) && size <= 8;
 }
 
-/// Calls `use(Value())` with the type of elements that areNumbers() says yes of.
+/// Calls `use(Value())` with the type of the elements; areNumbers() must hold.
 template <class Use>
 auto withType(const NpyHeader& header, Use use) {
   const std::size_t size = header.size;
@@ -87,7 +87,7 @@ auto withType(const NpyHeader& header, Use use) {
                      : use(std::uint64_t());
 }
 
-/// Whether a double is this very number: not one above 2^53 that would be another one.
+/// Whether a double holds this number exactly; 64-bit integers beyond 2^53 count as inexact.
 template <class Value>
 bool isExact(Value value) {
   if constexpr (std::is_integral_v<Value> && sizeof(Value) == 8) {
@@ -97,8 +97,8 @@ bool isExact(Value value) {
   return true;
 }
 
-/// eachElement() of any type of numbers, which `take(index, value)` gets as they are. Error (input): one that
-/// no double is equal to, too.
+/// eachElement() for any type of number; `take(index, value)` gets the numbers unconverted. Also an error
+/// (input): a number that no double equals.
 template <class Take>
 Result<void> eachNumber(InputFile& file, const NpyHeader& header, std::uint64_t count, Take take) {
   return withType(header, [&]<class Value>(Value) {
@@ -110,10 +110,10 @@ Result<void> eachNumber(InputFile& file, const NpyHeader& header, std::uint64_t 
   });
 }
 
-/// Pixels in a row or a column of an array that is an image.
+/// Most pixels in a row or a column of an image array.
 inline constexpr std::uint64_t max_extent = 1 << 20;
 
-/// The same for all elements of an array of two axes: `take(row, column, value)`.
+/// eachElement() for all elements of an array of two axes: `take(row, column, value)`.
 template <class Value, class Take>
 Result<void> eachPixel(InputFile& file, const NpyHeader& header, Take take) {
   const std::uint64_t rows = header.shape[0], columns = header.shape[1];

@@ -18,10 +18,10 @@ namespace vorpipe {
 namespace {
 
 constexpr std::size_t longest_header = std::size_t{1} << 20;
-/// As NumPy has them.
+/// NumPy's limit.
 constexpr std::size_t most_axes = 32;
 
-/// Reads Python literals from the front of a text; every function returns false where the text differs.
+/// Reads Python literals from the front of a text; every function returns false if the text differs.
 class Literals {
  public:
   explicit Literals(std::string_view text) : text_(text) {}
@@ -64,7 +64,7 @@ class Literals {
       return false;
     }
     text_.remove_prefix(static_cast<std::size_t>(stop - text_.data()));
-    word("L");  // Python 2 wrote long integers so
+    word("L");  // suffix of long integers in Python 2
     return true;
   }
   bool tuple(std::vector<std::uint64_t>& values) {
@@ -91,7 +91,7 @@ class Literals {
   std::string_view text_;
 };
 
-/// Of a dtype such as "<f8": kind, size and byte order. False for objects and the like.
+/// Parses a dtype such as "<f8": kind, size and byte order. False for objects and the like.
 bool parseType(std::string_view type, NpyHeader& header) {
   constexpr auto none = std::string_view::npos;
   if (type.size() < 3 || std::string_view("<>|=").find(type[0]) == none ||
@@ -151,7 +151,7 @@ std::string typeName(const NpyHeader& header, std::string_view type) {
   return header.kind == 'b' ? std::string(kind) : fmt::format("{}{}", kind, 8 * header.size);
 }
 
-/// Bytes of all elements; none when that is more than 63 bits hold.
+/// Bytes of all elements; none if 63 bits cannot hold it.
 std::optional<std::uint64_t> dataBytesOf(const NpyHeader& header) {
   std::uint64_t bytes = header.size;
   for (const std::uint64_t extent : header.shape) {
@@ -177,7 +177,7 @@ Result<std::string> readText(InputFile& file, std::size_t length, std::size_t of
   return text;
 }
 
-/// The dictionary as text, and how many bytes of the file come before the data.
+/// Returns the dictionary as text, and the number of bytes before the data.
 Result<std::pair<std::string, std::size_t>> readDictionary(InputFile& file) {
   constexpr std::size_t preamble_size = 10;
   auto preamble = readText(file, preamble_size, 0, ".npy header");

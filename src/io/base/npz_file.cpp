@@ -16,7 +16,7 @@
 namespace vorpipe {
 namespace {
 
-/// What an archive begins with, and each file in it.
+/// First bytes of an archive, and of each file in it.
 constexpr std::string_view local_mark = "PK\3\4";
 
 /// A number of `size` bytes, the lowest first; 0 beyond the end.
@@ -33,12 +33,12 @@ std::uint64_t checksumOf(std::string_view bytes) {
   return crc32_z(0, reinterpret_cast<const Bytef*>(bytes.data()), bytes.size());
 }
 
-/// What raw deflate's bytes are of; none where they are of another size, or damaged.
+/// Inflates raw deflate data; none if they are damaged or have another size.
 std::optional<std::string> inflated(std::string_view packed, std::size_t size) {
   if (size / Inflater::largest_ratio > packed.size()) return std::nullopt;
   std::string bytes(size, '\0');
   z_stream stream{};
-  // No header, as archives have one of their own.
+  // No zlib header, since archives have their own.
   if (inflateInit2(&stream, -MAX_WBITS) != Z_OK) throw std::bad_alloc();
   stream.next_in = reinterpret_cast<Bytef*>(const_cast<char*>(packed.data()));
   stream.avail_in = static_cast<uInt>(packed.size());
@@ -56,7 +56,7 @@ std::optional<std::string> inflated(std::string_view packed, std::size_t size) {
 Result<NpzFile> NpzFile::read(const std::string& path) {
   auto file = InputFile::open(path);
   if (!file) return tl::unexpected(std::move(file.error()));
-  // What is no archive need not be read to its end, which it may not have.
+  // A file that is no archive is not read to its end: it may have none.
   std::string bytes(local_mark.size(), '\0');
   const auto begin = file->read(bytes);
   if (!begin) return tl::unexpected(begin.error());
@@ -163,7 +163,7 @@ std::optional<std::string> NpzFile::text(const std::string& name) const {
   std::string text;
   for (std::size_t at = 0; at < elements.size(); at += sizeof(std::uint32_t)) {
     const auto character = valueOf<std::uint32_t>(elements.data() + at, header.big_endian);
-    // Zeros fill up; what is not ASCII is no name.
+    // Zeros are padding; non-ASCII characters occur in no name.
     if (character != 0) text += character < 0x80 ? static_cast<char>(character) : '?';
   }
   return text;

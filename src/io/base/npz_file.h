@@ -1,4 +1,4 @@
-/// Archives of NumPy's arrays that are read at once: .npz files.
+/// NumPy's .npz archives of arrays, read all at once.
 #pragma once
 
 #include <cstddef>
@@ -20,13 +20,13 @@
 
 namespace vorpipe {
 
-/// An array as its file has it.
+/// An array as stored in its file.
 struct NpzEntry {
   NpyHeader header;
   std::string_view elements;
 };
 
-/// Whether a Number is this very number; no integer is a floating-point one's.
+/// Whether a Number holds this value exactly; no integer type holds a floating-point value.
 template <class Number, class Value>
 bool isHeldBy(Value value) {
   if constexpr (!std::is_integral_v<Number>) {
@@ -41,15 +41,15 @@ bool isHeldBy(Value value) {
 /// Arrays by name, as numpy.savez, numpy.savez_compressed and writeZip() write them.
 class NpzFile {
  public:
-  /// Errors (input): it cannot be read; it is no such archive; an array in it is not understood. They begin
-  /// with its path.
+  /// Errors (input) begin with the path: it cannot be read, is no such archive, or has an array that is not
+  /// understood.
   static Result<NpzFile> read(const std::string& path);
 
   [[nodiscard]] bool has(const std::string& name) const { return entries_.contains(name); }
   [[nodiscard]] std::vector<std::string> names() const;
-  /// The numbers of an array with `columns` of them in a row, whatever their type and order in the file are;
-  /// empty where there is no such array. Error (input): they are no numbers, or one is not a Number, as 1.5
-  /// is no integer; their shape is another.
+  /// Returns the numbers of an array with `columns` columns, whatever their type and order in the file; empty
+  /// if there is no such array. Error (input): they are no numbers, a Number cannot hold one, as an integer
+  /// 1.5, or the shape differs.
   template <class Number>
   [[nodiscard]] Result<std::vector<Number>> numbers(const std::string& name,
                                                     std::uint64_t columns = 1) const {
@@ -63,7 +63,7 @@ class NpzFile {
     if (!read) return tl::unexpected(read.error());
     return values;
   }
-  /// The only text of an array that holds one; none where it is another array, or none.
+  /// Returns the only text of an array that holds one; none if it is another array or missing.
   [[nodiscard]] std::optional<std::string> text(const std::string& name) const;
   [[nodiscard]] const std::string& name() const { return name_; }
 
@@ -88,7 +88,7 @@ class NpzFile {
   }
 
   std::string name_;
-  /// The archive, and arrays that were packed in it: what elements look at.
+  /// The archive, and arrays inflated from it; elements point into these.
   std::deque<std::string> bytes_{};
   std::map<std::string, NpzEntry> entries_{};
 };

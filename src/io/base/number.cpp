@@ -12,14 +12,14 @@
 namespace vorpipe {
 namespace {
 
-/// Of a number beyond the range of double: whether it is smaller than 1, not larger.
+/// Whether a number beyond the range of double is too small rather than too large.
 bool isTiny(std::string_view number) {
   const std::size_t mark = number.find_first_of("eE");
   const std::string_view digits = number.substr(0, mark);
   const std::size_t leading = digits.find_first_of("123456789");
   const std::size_t point = std::min(digits.find('.'), digits.size());
-  // A number near the limits has its first digit within the text, so an exponent that does not fit
-  // into a long decides alone.
+  // In a number near the limits the first digit lies within the text, so an exponent beyond long decides
+  // alone.
   long exponent = 0;
   if (mark != std::string_view::npos) {
     std::string_view text = number.substr(mark + 1);
@@ -29,7 +29,7 @@ bool isTiny(std::string_view number) {
       return negative;
     }
   }
-  // Far beyond the digits of any text, and not so far that sums would have no room.
+  // Far beyond the digits of any text, but small enough that sums do not overflow.
   constexpr long farthest = 1L << 48;
   exponent = std::clamp(exponent, -farthest, farthest);
   return exponent + static_cast<long>(point) - static_cast<long>(leading) < 0;
@@ -55,7 +55,7 @@ bool isMissingValue(std::string_view text) {
 
 namespace {
 
-/// The number that `number` is, which stands in a file as `text`.
+/// Parses `number`, which is `text` in its file.
 tl::expected<double, std::string> numberIn(std::string_view number, std::string_view text) {
   number = trimmed(number);
   if (number.empty()) {

@@ -11,16 +11,16 @@ namespace vorpipe {
 /// `text` without blanks and tabs at both ends.
 std::string_view trimmed(std::string_view text);
 
-/// Whether a field says that there is no value, as people, R and NumPy write it: it is empty, NA, N/A, nan,
-/// NaN, NULL, None, a minus or a point.
+/// Whether a field marks a missing value, as people, R and NumPy write it: it is empty, NA, N/A, nan, NaN,
+/// NULL, None, a minus or a point.
 bool isMissingValue(std::string_view text);
 
-/// Reads a finite decimal number, blanks around it and a leading + allowed, to the nearest double; what
-/// is too small for a double becomes 0. On failure the error is what is wrong with the text, in words
-/// that continue "FILE:LINE:COLUMN: ".
+/// Reads a finite decimal number, blanks around it and a leading + allowed, to the nearest double; one too
+/// small for a double becomes 0. The error states what is wrong with the text, in words that continue
+/// "FILE:LINE:COLUMN: ".
 tl::expected<double, std::string> parseNumber(std::string_view text);
 
-/// What stands before the fraction of a number.
+/// Mark before the fraction of a number.
 enum class DecimalMark : char { none = ' ', point = '.', comma = ',' };
 
 struct Decimal {
@@ -28,8 +28,8 @@ struct Decimal {
   DecimalMark mark;
 };
 
-/// The same where a comma may stand before the fraction, as in 1,5. What may have commas between thousands is
-/// refused: several commas, or a comma and a point.
+/// The same, but allows a comma before the fraction, as in 1,5. Refuses possible thousands separators:
+/// several commas, or a comma and a point.
 tl::expected<Decimal, std::string> parseDecimal(std::string_view text);
 
 }  // namespace vorpipe

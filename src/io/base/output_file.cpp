@@ -67,7 +67,7 @@ Result<void> OutputFile::createTemporary() {
     if (!why_not.empty()) return inputError(fmt::format("{}: cannot be written: {}", name(), why_not));
   }
   int descriptor = -1;
-  // What a process of this number that was killed has left is not ours.
+  // Skips files left by a killed process with the same id.
   do {
     temporary_ = std::make_unique<Unfinished>(pathBeside(target_));
     descriptor = temporary_->create(0666);
@@ -114,7 +114,7 @@ Result<void> OutputFile::write(std::string_view bytes) {
 }
 
 Result<void> OutputFile::finish() {
-  // fclose reports what the buffered writes could not.
+  // fclose reports errors that buffered writes could not.
   if (stream_ && std::fclose(stream_.release()) != 0) {
     return systemError(ErrorCode::device, name(), "writing failed", errno);
   }
@@ -160,7 +160,7 @@ Result<void> commitAll(std::span<OutputFile> files) {
   }
   std::deque<ReplacedFile> replaced;
   for (OutputFile& file : files) {
-    // One alone is replaced or not.
+    // A single file needs no restoring: it is replaced or not.
     if (files.size() > 1 && !file.target().empty()) replaced.emplace_back(file.target());
     if (auto committed = file.commit(); !committed) {
       for (ReplacedFile& old : replaced) old.putBack();

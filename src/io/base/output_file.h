@@ -20,9 +20,9 @@ namespace vorpipe {
 /// (/dev/stdout, a pipe) is written to directly.
 class OutputFile final : public ByteSink {
  public:
-  /// Finds out at once whether `path` can be written. A symbolic link is followed; a file that exists
-  /// keeps its permissions. Errors (input): the directory is missing, the path is a directory, no
-  /// permission, a name that is too long, a file that cannot be replaced.
+  /// Checks at once whether `path` can be written. A symbolic link is followed; a file that exists keeps its
+  /// permissions. Errors (input): the directory is missing, the path is a directory, no permission, a name
+  /// that is too long, a file that cannot be replaced.
   static Result<OutputFile> create(const std::string& path);
   OutputFile(OutputFile&& other) noexcept = default;
   OutputFile& operator=(OutputFile&& other) noexcept = default;
@@ -53,7 +53,7 @@ class OutputFile final : public ByteSink {
   Result<void> createTemporary();
 
   std::string target_;
-  std::unique_ptr<Unfinished> temporary_;  ///< before stream_, which closes first
+  std::unique_ptr<Unfinished> temporary_;  ///< declared before stream_, which closes first
   Stream stream_;
 };
 
@@ -62,8 +62,8 @@ class OutputFile final : public ByteSink {
 Result<std::vector<OutputFile>> createOutputs(std::span<const std::string> paths,
                                               std::span<const OutputFile> others = {});
 
-/// Commits all files together: none is put in place unless all bytes of all of them were written, and what
-/// one of them cannot replace the others leave as well.
+/// Commits all files together: puts none in place unless all bytes of all were written. If one cannot be
+/// replaced, the others are not replaced either.
 Result<void> commitAll(std::span<OutputFile> files);
 
 }  // namespace vorpipe

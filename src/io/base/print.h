@@ -1,4 +1,4 @@
-/// Records of text or bytes, one after the other into a file.
+/// Writes records of text or bytes, one after the other, to a file.
 #pragma once
 
 #include <fmt/compile.h>
@@ -20,7 +20,8 @@ namespace vorpipe {
 /// Bytes of a file before they are written.
 using Bytes = fmt::memory_buffer;
 
-/// At most so many characters print a value: those of -2.2250738585072014e-308, or its own.
+/// Most characters that a value prints as: those of -2.2250738585072014e-308 for a number, its own for a
+/// text.
 template <class Value>
 std::size_t longestText(const Value& value) {
   if constexpr (std::is_arithmetic_v<Value>) {
@@ -34,7 +35,7 @@ std::size_t longestText(const Value& value) {
 /// No field is wider than 24 characters, so that a double is never written with a fixed number of decimals.
 template <class Format, class... Values>
 void print(Bytes& bytes, const Format& format, const Values&... values) {
-  // Straight into memory with room enough: fmt asks a buffer for room again with each piece of a number.
+  // Prints straight into enough memory: fmt would ask a buffer for room with each piece of a number.
   constexpr auto text = static_cast<fmt::string_view>(Format());
   constexpr auto fields = std::count(text.begin(), text.end(), '{');
   const auto size = bytes.size();
@@ -67,22 +68,22 @@ void printList(Bytes& text, const ListText& list, std::size_t count, const Put& 
   text.append(list.close);
 }
 
-/// Hands on what has been collected. Error (device): writing failed.
+/// Writes the collected bytes and clears them. Error (device): writing failed.
 inline Result<void> writeAll(ByteSink& sink, Bytes& bytes) {
   auto written = sink.write({bytes.data(), bytes.size()});
   bytes.clear();
   return written;
 }
 
-/// The same once there is enough of it to be worth a call.
+/// The same, but only if there are enough bytes to be worth a call.
 inline Result<void> writeIfFull(ByteSink& sink, Bytes& bytes) {
   constexpr std::size_t full = std::size_t{1} << 16;
   return bytes.size() < full ? Result<void>() : writeAll(sink, bytes);
 }
 
-/// Writes what `put(bytes, index)` appends for each index below `count`, but for the first `skipped` bytes.
-/// put() is called on up to `threads` threads at once, 0 for all, and by more than one block ahead of what
-/// has been written. Error (device): writing failed.
+/// Writes what `put(bytes, index)` appends for each index below `count`, except the first `skipped` bytes.
+/// Calls put() on up to `threads` threads at once, 0 for all, and more than one block ahead of what has been
+/// written. Error (device): writing failed.
 template <class Put>
 Result<void> writeEach(ByteSink& sink, std::size_t count, const Put& put, int threads = 1,
                        std::size_t skipped = 0) {
@@ -100,7 +101,7 @@ Result<void> writeEach(ByteSink& sink, std::size_t count, const Put& put, int th
     }
   };
   for (std::size_t first = 0; first < count && written; first += blocks * in_block) {
-    // One thread writes what was put before while the others put what comes next.
+    // One thread writes the last round's blocks while the others fill the next ones.
     parallelFor(blocks + 1, 1, threads, [&](std::size_t task, std::size_t) {
       if (task == 0) return writeDone();
       const std::size_t begin = std::min(count, first + (task - 1) * in_block);

@@ -14,7 +14,7 @@ namespace {
 
 constexpr int steps_at_a_time = 200;
 
-/// What views of maps call: functions whose work is in proportion to what they are given and return.
+/// Functions that views of maps call; their work is proportional to their arguments and results.
 constexpr auto functions = std::to_array<std::string_view>(
     {"->",         "->>",        "abs",          "acos",       "acosh",     "asin",         "asinh",
      "atan",       "atan2",      "atanh",        "avg",        "ceil",      "ceiling",      "char",
@@ -29,7 +29,7 @@ constexpr auto functions = std::to_array<std::string_view>(
      "string_agg", "substr",     "substring",    "sum",        "tan",       "tanh",         "time",
      "total",      "trunc",      "typeof",       "unicode",    "unixepoch", "unlikely",     "upper"});
 
-/// The same of short texts: these compare all of a text with all of another.
+/// The same for short texts only: these compare all of one text with all of another.
 constexpr auto slow_functions =
     std::to_array<std::string_view>({"instr", "ltrim", "replace", "rtrim", "trim"});
 
@@ -37,7 +37,7 @@ bool isAmong(const auto& names, std::string_view name) {
   return std::ranges::find(names, name) != names.end();
 }
 
-/// Of this thread: a machine that sleeps, or a disk that is slow, does not count.
+/// Processor time of this thread: a sleeping machine or a slow disk does not count.
 double processorSeconds() {
   constexpr double nanosecond = 1e-9;
   timespec now{};
@@ -45,8 +45,8 @@ double processorSeconds() {
   return static_cast<double>(now.tv_sec) + static_cast<double>(now.tv_nsec) * nanosecond;
 }
 
-/// Bounds what SQLite has of memory. That is about the whole process, so it is for moments in which SQLite
-/// asks nobody: views that name each other twice are written out before a query runs.
+/// Bounds SQLite's memory, for the whole process. Used while SQLite calls no handler: it expands views that
+/// name each other twice before a query runs.
 class HeapLimit {
  public:
   explicit HeapLimit(std::int64_t most) : soft_(sqlite3_soft_heap_limit64(-1)) {
@@ -98,20 +98,20 @@ int QueryLimits::hold(sqlite3* database, std::uint64_t file_bytes) {
   constexpr std::uint64_t few_steps = 100'000'000, steps_of_byte = 1000;
   constexpr std::uint64_t little_memory = std::uint64_t{1} << 26, memory_of_byte = 8;
   constexpr double few_seconds = 10, seconds_of_byte = 2e-6;
-  // So many columns are the most that a layer has; each takes some instructions.
+  // Enough for the most columns of a layer; each takes some instructions.
   constexpr int instructions = 25'000, pattern = 100;
   database_ = database;
-  // Views may not call what has effects.
+  // Views may not call functions with side effects.
   sqlite3_db_config(database, SQLITE_DBCONFIG_TRUSTED_SCHEMA, 0, nullptr);
   sqlite3_limit(database, SQLITE_LIMIT_LENGTH, static_cast<int>(std::clamp(file_bytes, shortest, longest)));
   sqlite3_limit(database, SQLITE_LIMIT_VDBE_OP, instructions);
   sqlite3_limit(database, SQLITE_LIMIT_LIKE_PATTERN_LENGTH, pattern);
-  // What has to be sorted or joined takes more steps than there are bytes, but at most this multiple.
+  // Sorting or joining takes more steps than there are bytes, but at most this multiple.
   steps_left_ = (few_steps + file_bytes * steps_of_byte) / steps_at_a_time;
   last_second_ = processorSeconds() + few_seconds + static_cast<double>(file_bytes) * seconds_of_byte;
   most_memory_ =
       sqlite3_memory_used() + static_cast<std::int64_t>(little_memory + file_bytes * memory_of_byte);
-  // What is sorted stays in memory, which is counted; temporary files would not be.
+  // Sorted data stay in memory, which is counted; temporary files would not be.
   const int code = sqlite3_exec(database, "PRAGMA cell_size_check = ON; PRAGMA temp_store = MEMORY", nullptr,
                                 nullptr, nullptr);
   if (code != SQLITE_OK) return code;

@@ -12,14 +12,14 @@ namespace {
 
 constexpr std::size_t longest = 40;
 
-/// Whether the bytes of a character, or one that begins none, are shown as they are.
+/// Whether the bytes of a character, or a byte that begins none, are shown unchanged.
 bool isShown(std::string_view character) {
   const auto isBetween = [character](std::string_view first, std::string_view last) {
     return character >= first && character <= last;
   };
   if (character.size() == 1) return isBetween(" ", "~");
-  // The controls of ISO 6429 beyond ASCII; the ends of lines and of paragraphs, and what turns the direction;
-  // what isolates it.
+  // Controls of ISO 6429 beyond ASCII; line and paragraph separators and marks of writing direction;
+  // direction isolates.
   return !isBetween("\u0080", "\u009f") && !isBetween("\u2028", "\u202e") && !isBetween("\u2066", "\u2069");
 }
 

@@ -6,12 +6,12 @@
 
 namespace vorpipe {
 
-/// `text` as one line that a terminal shows and does not obey: UTF-8 stays, but for characters that end a
-/// line, control a terminal or turn the direction of writing. Their bytes, and those that are no UTF-8, are
+/// Returns `text` as one line that a terminal shows but does not obey. UTF-8 stays, except characters that
+/// end a line, control a terminal or change the writing direction. Their bytes, and invalid UTF-8, become
 /// \xNN.
 std::string escaped(std::string_view text);
 
-/// The same, cut after 40 bytes of `text`, at a whole character.
+/// The same, cut after at most 40 bytes of `text`, between characters.
 std::string printable(std::string_view text);
 
 /// The same in double quotes.

@@ -1,4 +1,4 @@
-/// Which files are read, and what is in them.
+/// Log of the files read and their contents.
 #pragma once
 
 #include <sys/stat.h>
@@ -17,21 +17,21 @@ struct LoggedFile {
   Contents contents;
 };
 
-/// While one lives, it notes what InputFile opens on this thread, so that readers need not pass it on. One
-/// that is made later takes over until it is gone.
+/// During its lifetime, notes what InputFile opens on this thread, so that readers need not pass it on. A log
+/// made later takes over for its own lifetime.
 class ReadLog {
  public:
-  /// To hash files takes time.
+  /// What to note: hashing contents takes time.
   enum class Notes : std::uint8_t { names, contents };
   explicit ReadLog(Notes notes = Notes::contents);
   ~ReadLog();
   ReadLog(const ReadLog&) = delete;
   ReadLog& operator=(const ReadLog&) = delete;
 
-  /// The log that notes what this thread reads; null if there is no log on this thread.
+  /// Returns the log of this thread's reads; null if there is none.
   static ReadLog* current();
 
-  /// While it lives, nothing is noted.
+  /// Nothing is noted during its lifetime.
   class Pause {
    public:
     Pause();
@@ -43,15 +43,14 @@ class ReadLog {
     ReadLog* log_;
   };
 
-  /// Notes what was opened. Of a file that stays where it is contents are those that it has now; one that
-  /// cannot be read is left out: its reader says why. Where what `is_stream` can be read only once, the
-  /// reader adds every byte to the hash that is returned, if there is one.
+  /// Notes an opened file. Hashes the present contents of a file that can be read again; leaves out one that
+  /// cannot be read, since its reader reports why. If `is_stream`, it can be read only once: the reader adds
+  /// every byte to the returned hash, if there is one.
   std::shared_ptr<ContentHash> note(const std::string& path, const struct stat& status, bool is_stream);
 
-  /// Contents that were noted, in the order in which they were opened; a file that was opened twice stands
-  /// once.
+  /// Returns the noted contents in the order of opening; a file opened twice appears once.
   [[nodiscard]] std::vector<LoggedFile> files() const;
-  /// The name by which a regular file was opened that is the one `path` leads to; null: none was.
+  /// Returns the name under which the regular file at `path` was opened; null if it was not.
   [[nodiscard]] const std::string* nameOf(const std::string& path) const;
 
  private:

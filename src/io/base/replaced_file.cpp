@@ -17,15 +17,14 @@ namespace fs = std::filesystem;
 
 constexpr std::string_view temporary_begin = ".vorpipe-", temporary_end = ".tmp";
 
-/// Whether something is mounted at this file, as a container's is that comes from outside: no other can take
-/// its place.
+/// Whether the file is a mount point, such as an outside file in a container: no other can replace it.
 bool isMountPoint(const std::string& file) {
   struct statx status {};
   return ::statx(AT_FDCWD, file.c_str(), AT_NO_AUTOMOUNT, 0, &status) == 0 &&
          (status.stx_attributes & STATX_ATTR_MOUNT_ROOT) != 0;
 }
 
-/// Whether a folder like /tmp keeps others from replacing a file that is not theirs.
+/// Whether a sticky folder like /tmp keeps others from replacing a file that is not theirs.
 bool isKeptByItsFolder(const struct stat& file, const fs::path& folder) {
   struct stat status {};
   const uid_t user = ::geteuid();

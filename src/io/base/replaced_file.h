@@ -1,4 +1,4 @@
-/// Files that others take the place of.
+/// Files that others replace.
 #pragma once
 
 #include <sys/stat.h>
@@ -11,24 +11,24 @@
 
 namespace vorpipe {
 
-/// Why a file that exists cannot be replaced; empty: it can.
+/// Returns why an existing file cannot be replaced; empty if it can.
 std::string whyNotReplaced(const std::string& file, const struct stat& status);
 
-/// A path in the folder of `target` that no other call gets.
+/// Returns a path in the folder of `target` that no other call returns.
 std::string pathBeside(const std::string& target);
 
-/// Whether a file of this name, without its folder, is one that a process which was killed may have left:
+/// Whether a killed process may have left a file of this name, given without its folder:
 /// ".vorpipe-1234-0.tmp".
 bool isLeftOver(std::string_view name);
 
-/// A file that is about to be replaced, which keeps another name until the end of this object's life, where
-/// the file system has links.
+/// A file about to be replaced. It keeps a second name during this object's lifetime, if the file system has
+/// links.
 class ReplacedFile {
  public:
-  /// Of a path where there may be no file as well.
+  /// There need not be a file at the path.
   explicit ReplacedFile(std::string path);
 
-  /// Makes the path lead to what it did: to no file, where there was none.
+  /// Restores what was at the path: no file if there was none.
   void putBack();
 
  private:

@@ -5,8 +5,7 @@
 namespace vorpipe {
 namespace {
 
-/// Whether a terminal takes a part of it for a command: controls of ASCII, and those that UTF-8 begins with
-/// C2.
+/// Whether a terminal takes a part of it for a command: ASCII controls, and those whose UTF-8 begins with C2.
 bool hasControls(std::string_view text) {
   constexpr unsigned char blank = 0x20, rub_out = 0x7F, leads = 0xC2, last = 0xA0;
   for (std::size_t k = 0; k < text.size(); ++k) {
@@ -17,7 +16,7 @@ bool hasControls(std::string_view text) {
   return false;
 }
 
-/// In $'...', where no byte is but those of plain text.
+/// Quotes as $'...', with only bytes of plain text.
 std::string inOctal(std::string_view text) {
   std::string quoted = "$'";
   for (const char c : text) {

@@ -7,11 +7,11 @@
 
 namespace vorpipe {
 
-/// `text` as one word of bash or zsh: in single quotes, which end for each one inside.
+/// Returns `text` as one word of bash or zsh: in single quotes, which are closed for each one inside.
 std::string shellQuoted(std::string_view text);
 
-/// Words with blanks between, each of which a shell reads as it is: quoted where it needs to be, and in
-/// $'...', which bash, zsh and ksh know, where a terminal would take a part of it for a command.
+/// Joins words with blanks so that a shell reads each as it is: quoted if necessary. A word that a terminal
+/// would partly take for a command is in $'...', as in bash, zsh and ksh.
 std::string shellLine(const std::vector<std::string>& words);
 
 }  // namespace vorpipe

@@ -15,7 +15,7 @@ std::string quotedIn(char quote, std::string_view text) {
   return quoted + quote;
 }
 
-/// Whether changes of a database in the mode WAL may stand in the file beside it.
+/// Whether the file beside a WAL database may hold changes.
 bool hasChangesBeside(const std::string& path) {
   std::error_code unknown;
   const auto real = std::filesystem::canonical(path, unknown);
@@ -35,7 +35,7 @@ std::string placeOf(const std::string& path, std::span<const char, sqlite_header
   constexpr std::size_t read_version = 19;
   constexpr char wal = 2;
   constexpr std::string_view plain = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789-_.~/";
-  // Nothing but a path comes to SQLite, be it ":memory:" or one that begins as an address does.
+  // SQLite gets only a path, even for ":memory:" or a path that begins like an address.
   std::string place = path.starts_with('/') ? "file:" : "file:./";
   for (const char c : path) {
     place += plain.find(c) != std::string_view::npos ? std::string(1, c)

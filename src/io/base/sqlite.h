@@ -1,4 +1,4 @@
-/// Databases and statements of SQLite that end with their owners, and words of SQL.
+/// Owning handles of SQLite databases and statements, and SQL quoting.
 #pragma once
 
 #include <cstddef>
@@ -21,15 +21,15 @@ struct SqliteFinalize {
 using Database = std::unique_ptr<sqlite3, SqliteClose>;
 using Statement = std::unique_ptr<sqlite3_stmt, SqliteFinalize>;
 
-/// A name, or a text, in SQL.
+/// Quotes a name, or a text, for SQL.
 std::string sqlName(std::string_view name);
 std::string sqlText(std::string_view text);
 
-/// The bytes that a database begins with, about itself.
+/// Size of the header of a database file, in bytes.
 inline constexpr std::size_t sqlite_header_size = 100;
 
-/// A file as an address for SQLITE_OPEN_URI. A database in the mode WAL without changes beside it is read as
-/// one that nobody changes: else SQLite makes files beside it, and does not read it where it cannot.
+/// Returns a file's address for SQLITE_OPEN_URI. A WAL database without changes beside it is read as
+/// immutable: else SQLite creates files beside it, and cannot read it if that fails.
 std::string placeOf(const std::string& path, std::span<const char, sqlite_header_size> header);
 
 }  // namespace vorpipe

@@ -7,12 +7,13 @@
 
 namespace vorpipe {
 
-/// Reads the .prj beside a file, "towns.prj" for "towns.csv" and "towns.csv.gz", where there is one and
-/// nothing else names the file's system: `system` is that of the file, and gets what is read. Errors (input):
-/// the .prj is no definition in WKT, or one of another kind of coordinates than `system` has.
+/// Reads the .prj beside a file, "towns.prj" for "towns.csv" and "towns.csv.gz", if it exists and nothing
+/// else names the file's system. `system` is the file's, and gets what is read. Errors (input): the .prj is
+/// no WKT definition, or its kind of coordinates differs from that of `system`.
 Result<void> readSystemBeside(const std::string& path, CoordinateSystem& system);
 
-/// The path with another extension, which begins with a dot; .gz and what stands before it are replaced.
+/// Returns the path with another extension, which begins with a dot; of x.csv.gz, both extensions are
+/// replaced.
 std::string besides(const std::string& path, const std::string& extension);
 
 }  // namespace vorpipe

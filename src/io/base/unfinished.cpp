@@ -9,8 +9,8 @@
 
 namespace vorpipe {
 
-/// A place in a list that a signal's handler can read at any moment: places are added and used again, and
-/// never given back.
+/// A slot in a list that a signal handler can read at any moment: slots are added and reused, but never
+/// freed.
 struct UnfinishedSlot {
   std::atomic<const char*> path{nullptr};
   UnfinishedSlot* next = nullptr;
@@ -36,7 +36,7 @@ UnfinishedSlot* hold(const char* path) {
   return slot;
 }
 
-/// Where a handler on another thread is ending the process: not for long.
+/// Waits, briefly, while a handler on another thread ends the process.
 void waitForEnd() {
   while (ending) pause();
 }
@@ -45,7 +45,7 @@ void waitForEnd() {
 
 Unfinished::Unfinished(std::string path) : path_(std::move(path)), slot_(hold(path_.c_str())) {}
 
-/// A handler on another thread may be reading the path: then the process ends before it is freed.
+/// A handler on another thread may be reading the path: then the process ends before the path is freed.
 Unfinished::~Unfinished() {
   if (is_there_) unlink(path_.c_str());
   slot_->path = nullptr;
@@ -73,7 +73,7 @@ bool Unfinished::linkTo(const char* old) {
 
 bool Unfinished::moveTo(const char* target) {
   is_there_ = std::rename(path_.c_str(), target) != 0;
-  // It may have been removed on another thread.
+  // Another thread may have removed it.
   if (is_there_) waitForEnd();
   return !is_there_;
 }

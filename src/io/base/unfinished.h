@@ -1,4 +1,4 @@
-/// Files that are not finished, of which nothing stays when the process is told to end.
+/// Unfinished files, which are removed when the process is told to end.
 #pragma once
 
 #include <string>
@@ -7,22 +7,21 @@ namespace vorpipe {
 
 struct UnfinishedSlot;
 
-/// A new file, which is removed at the end of this object's life, or before it by removeUnfinished(), unless
-/// it was moved away.
+/// A new file, removed with this object, or earlier by removeUnfinished(), unless it was moved away.
 class Unfinished {
  public:
-  /// There is none before create(); but the path is known to removeUnfinished() from here on, so that no
-  /// moment is left in which there is a file that it does not know.
+  /// create() makes the file, but removeUnfinished() has the path from here on: it never misses an existing
+  /// file.
   explicit Unfinished(std::string path);
   Unfinished(const Unfinished&) = delete;
   Unfinished& operator=(const Unfinished&) = delete;
   ~Unfinished();
 
-  /// A descriptor of the file, which did not exist before; or -1, and errno says why not.
+  /// Creates the file, which must not exist. Returns its descriptor, or -1 with errno set.
   int create(unsigned mode);
-  /// Makes the file another name of an old one; whether that was done, else errno says why not.
+  /// Makes the file another name of an old one. Returns false with errno set on failure.
   bool linkTo(const char* old);
-  /// Renames the file, which is to stay then; whether that was done, else errno says why not.
+  /// Renames the file, which then stays. Returns false with errno set on failure.
   bool moveTo(const char* target);
 
   [[nodiscard]] const std::string& path() const { return path_; }
@@ -33,8 +32,8 @@ class Unfinished {
   bool is_there_ = false;
 };
 
-/// Removes all that there are, of all threads. For handlers of signals, which must end the process then,
-/// since threads that have such a file wait for that: it makes async-signal-safe calls alone.
+/// Removes all unfinished files of all threads. For signal handlers: it makes only async-signal-safe calls.
+/// They must then end the process, since threads with such a file wait for that.
 void removeUnfinished();
 
 }  // namespace vorpipe

@@ -9,13 +9,13 @@ namespace {
 
 constexpr std::uint32_t first_of_two = 0x80, first_of_three = 0x800, first_of_four = 0x10000;
 
-/// What Windows-1252 has for 0x80 to 0x9F; the five that it has not are as in Latin-1.
+/// Characters of Windows-1252 for 0x80 to 0x9F; the five undefined ones are as in Latin-1.
 constexpr std::array<std::uint32_t, 32> windows_1252 = {
     0x20AC, 0x81,   0x201A, 0x0192, 0x201E, 0x2026, 0x2020, 0x2021, 0x02C6, 0x2030, 0x0160,
     0x2039, 0x0152, 0x8D,   0x017D, 0x8F,   0x90,   0x2018, 0x2019, 0x201C, 0x201D, 0x2022,
     0x2013, 0x2014, 0x02DC, 0x2122, 0x0161, 0x203A, 0x0153, 0x9D,   0x017E, 0x0178};
 
-/// How many bytes begin with this one; 0 where none does.
+/// Returns the length of the character that this byte begins; 0 if it begins none.
 std::size_t lengthFrom(unsigned char byte) {
   if (byte < 0x80) return 1;
   if (byte >= 0xC2 && byte <= 0xDF) return 2;
@@ -34,7 +34,7 @@ bool isCharacter(std::string_view bytes) {
   return bytes.size() != 4 || (code >= first_of_four && code <= 0x10FFFF);
 }
 
-/// Codes below first_of_four.
+/// Appends a code below first_of_four.
 void append(std::string& text, std::uint32_t code) {
   if (code < first_of_two) {
     text += static_cast<char>(code);

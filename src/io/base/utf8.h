@@ -7,14 +7,14 @@
 
 namespace vorpipe {
 
-/// How many of the bytes are the UTF-8 character that they begin with; 0 if they begin with none. There are
-/// no surrogates, and no overlong forms.
+/// Returns the length of the UTF-8 character at the start of `bytes`; 0 if there is none. Surrogates and
+/// overlong forms are no characters.
 std::size_t characterLength(std::string_view bytes);
 
-/// Whether bytes are such characters alone.
+/// Whether all bytes form such characters.
 bool isUtf8(std::string_view bytes);
 
-/// Text of Windows-1252, which holds Latin-1, as UTF-8.
+/// Converts text in Windows-1252, which includes Latin-1, to UTF-8.
 std::string fromWindows1252(std::string_view bytes);
 
 }  // namespace vorpipe

@@ -17,8 +17,8 @@ namespace vorpipe {
 /// The codes of well-known binary.
 enum class GeometryType : std::uint32_t { point = 1, line_string = 2, polygon = 3, multi_polygon = 6 };
 
-/// A geometry while it is put together: types and counts in the order in which well-known binary has them.
-/// The box is that of all points so far.
+/// A geometry under construction: types and counts are added in the order of well-known binary. The box is
+/// that of all points so far.
 class Wkb {
  public:
   /// Begins a geometry of `count` parts: polygons, rings or points.

@@ -12,7 +12,7 @@
 namespace vorpipe {
 namespace {
 
-/// The word at the end of text, in small letters.
+/// Returns the last word of text, in lower case.
 std::string lastWord(std::string_view text) {
   text = trimmed(text);
   const auto isLetter = [](char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_'; };
@@ -20,7 +20,7 @@ std::string lastWord(std::string_view text) {
   return lowerCase(text.substr(static_cast<std::size_t>(begin - text.begin())));
 }
 
-/// What the outermost brackets of a definition hold as AUTHORITY or ID; empty where they have none.
+/// Returns the AUTHORITY or ID in the outermost brackets of a definition; empty if there is none.
 std::string_view outermostId(std::string_view text) {
   std::size_t depth = 0;
   bool quoted = false;
@@ -39,7 +39,7 @@ std::string_view outermostId(std::string_view text) {
   return {};
 }
 
-/// "EPSG","25832", or the second without quotes.
+/// Takes an id: "EPSG","25832", the second also without quotes.
 void takeId(std::string_view id, CoordinateSystem& system) {
   const std::size_t comma = id.find(',');
   if (comma == std::string_view::npos) return;
@@ -64,7 +64,7 @@ std::string lettersOf(std::string_view name) {
   return letters;
 }
 
-/// The code of EPSG of a zone of UTM, as in "WGS_1984_UTM_Zone_32N" and "WGS 84 / UTM zone 32N"; 0: none.
+/// Returns the EPSG code of a UTM zone, as in "WGS_1984_UTM_Zone_32N" and "WGS 84 / UTM zone 32N"; 0: none.
 std::int64_t codeOfZone(std::string_view letters) {
   struct Datum {
     std::string_view name;
@@ -93,7 +93,7 @@ std::int64_t codeOfZone(std::string_view letters) {
   return 0;
 }
 
-/// The code of a system by the name that definitions without codes have for it, as ESRI's do; 0: none.
+/// Returns a system's code by its name in definitions without codes, such as ESRI's; 0: none.
 std::int64_t codeOfName(std::string_view name) {
   constexpr std::array<std::pair<std::string_view, std::int64_t>, 12> names = {
       {{"gcswgs1984", 4326},

@@ -1,4 +1,4 @@
-/// Coordinate systems in well-known text, of its first version, of ESRI's kind or of its second.
+/// Coordinate systems in well-known text: version 1, ESRI's variant or version 2.
 #pragma once
 
 #include <optional>
@@ -9,11 +9,11 @@
 
 namespace vorpipe {
 
-/// The system that a definition is of: its kind, its code where it has one or a name that is common for one,
-/// and the text itself. Nothing: it is no definition of one.
+/// Returns the system that a definition describes: its kind, its code if it has one or a common name implies
+/// one, and the text itself. None if it defines no system.
 std::optional<CoordinateSystem> systemOfWkt(std::string_view text);
 
-/// The name in a definition; empty where there is none.
+/// Returns the name in a definition; empty if there is none.
 std::string nameInWkt(std::string_view definition);
 
 /// The kind of the system that text defines.

@@ -33,7 +33,7 @@ std::string wrongAt(WktPlace place, std::string_view what) {
   return fmt::format("{}:{}: {}", place.line, place.column, what);
 }
 
-/// Adds to text_ what comes next in the file; false where nothing does.
+/// Adds the next part of the file to text_; false if there is none.
 bool WktTokens::refill() {
   if (file_ == nullptr || error_) return false;
   if (text_.size() > LineReader::longest_line) {

@@ -1,4 +1,4 @@
-/// Well-known text, token by token, and what all geometries in it have in common.
+/// Well-known text, token by token, and the parts common to all geometries.
 #pragma once
 
 #include <cstddef>
@@ -16,7 +16,7 @@ namespace vorpipe {
 /// What is wrong, beginning with line and column.
 using WktProblem = std::optional<std::string>;
 
-/// Where a token stands; both are counted from 1.
+/// Position of a token; both counted from 1.
 struct WktPlace {
   std::uint64_t line = 1, column = 1;
 };
@@ -28,34 +28,34 @@ std::string wrongAt(WktPlace place, std::string_view what);
 class WktTokens {
  public:
   explicit WktTokens(std::string_view text) : text_(text) { next(); }
-  /// Of a file, which is not kept: a token is good until the next one.
+  /// Reads a file, which is not kept: a token is valid until the next one.
   explicit WktTokens(InputFile& file) : file_(&file), buffer_(chunk) { next(); }
   WktTokens(const WktTokens&) = delete;
   WktTokens& operator=(const WktTokens&) = delete;
 
-  /// Whether all tokens were taken, or a file could not be read on.
+  /// Whether all tokens were taken, or reading the file failed.
   [[nodiscard]] bool atEnd() const { return token_.empty(); }
-  /// Whether the end was that of the file. Errors: those of reading; a word has no end (input).
+  /// Checks that the end is that of the file. Errors: those of reading; a word has no end (input).
   [[nodiscard]] Result<void> end() const;
-  /// "FILE:problem" as an input error, or why the file could not be read on.
+  /// "FILE:problem" as an input error, or why reading the file failed.
   [[nodiscard]] tl::unexpected<Error> refused(std::string_view problem) const;
   [[nodiscard]] WktPlace place() const { return place_; }
   [[nodiscard]] std::string_view token() const { return token_; }
-  /// Whether the token is a word, which is given in upper case.
+  /// Whether the token is `word`, given in upper case.
   [[nodiscard]] bool is(std::string_view word) const;
 
   void next();
 
-  /// Takes the word and says so, if it is there.
+  /// Takes the word if it is next, and returns whether it was.
   bool take(std::string_view word);
 
-  /// Takes the name of a geometry and what follows of its dimensions, as in "POINT Z" and "POINTZ".
+  /// Takes the name of a geometry and its dimension suffix, as in "POINT Z" and "POINTZ".
   bool takeType(std::string_view name);
 
   /// Takes "SRID=4326;", which PostGIS writes before a geometry, if it is there, and keeps the number.
   WktProblem takeSystem(std::optional<std::int64_t>& code);
 
-  /// Takes x y, and what else there is of numbers, of which `others` then tells.
+  /// Takes x y and any further numbers; `others` reports whether there are any.
   WktProblem takePosition(Point& point, bool& others);
 
   /// Takes items in parentheses, or EMPTY; `item` takes one and returns what is wrong with it.

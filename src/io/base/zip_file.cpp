@@ -17,22 +17,22 @@
 namespace vorpipe {
 namespace {
 
-/// A field of 16 or 32 bits that holds this has its value elsewhere, in 64 bits.
+/// Marks a field of 16 or 32 bits whose value is elsewhere, in 64 bits.
 constexpr std::uint16_t elsewhere_16 = 0xFFFF;
 constexpr std::uint32_t elsewhere_32 = 0xFFFFFFFF;
-/// The versions of the format that a reader must know, without Zip64 and with it.
+/// Format versions that a reader must support, without and with Zip64.
 constexpr std::uint16_t plain_version = 10, zip64_version = 45;
-/// Made on Unix, by a program that knows version 6.3.
+/// Made on Unix, by a program that supports version 6.3.
 constexpr std::uint16_t made_by = 3 << 8 | 63;
 
-/// What the directory says of an entry besides its name.
+/// Directory data of an entry besides its name.
 struct EntryRecord {
-  std::uint64_t begin;  ///< where its header stands in the archive
+  std::uint64_t begin;  ///< position of its header in the archive
   std::uint64_t size;   ///< of head and body
   std::uint32_t checksum;
 };
 
-/// Appends numbers, each in as many bytes as its type has.
+/// Appends numbers, each in the size of its type.
 template <class... Numbers>
 void put(std::string& bytes, Numbers... numbers) {
   (appendNumber<std::endian::little>(bytes, numbers), ...);
@@ -48,7 +48,7 @@ std::uint16_t narrow16(std::uint64_t value) {
 
 bool isWide(std::uint64_t value) { return value >= elsewhere_32; }
 
-/// The extra field of Zip64 with those numbers; empty where there are none.
+/// Returns the Zip64 extra field with those numbers; empty if there are none.
 std::string zip64Field(std::span<const std::uint64_t> numbers) {
   constexpr std::uint16_t zip64_tag = 1;
   std::string field;
@@ -58,7 +58,8 @@ std::string zip64Field(std::span<const std::uint64_t> numbers) {
   return field;
 }
 
-/// What header and directory have in common, from the version to the lengths of the name and of `extra`.
+/// Appends the part common to header and directory, from the version to the lengths of the name and of
+/// `extra`.
 void putCommon(std::string& bytes, const std::string& name, const EntryRecord& record,
                const std::string& extra) {
   constexpr std::uint16_t no_flags = 0, stored = 0, midnight = 0, first_of_january_1980 = 0x21;
@@ -68,7 +69,7 @@ void putCommon(std::string& bytes, const std::string& name, const EntryRecord& r
       static_cast<std::uint16_t>(extra.size()));
 }
 
-/// The header that stands before an entry.
+/// Returns the header before an entry.
 std::string headerOf(const std::string& name, const EntryRecord& record) {
   constexpr std::uint32_t signature = 0x04034B50;
   const std::array sizes{record.size, record.size};
@@ -79,7 +80,7 @@ std::string headerOf(const std::string& name, const EntryRecord& record) {
   return header + name + extra;
 }
 
-/// An entry's record in the directory; the extra field has what is wide, and nothing else.
+/// Returns an entry's directory record; the extra field holds only the wide values.
 std::string directoryRecord(const std::string& name, const EntryRecord& record) {
   constexpr std::uint32_t signature = 0x02014B50, regular_file = 0100666u << 16;
   constexpr std::uint16_t no_comment = 0, disk = 0, no_attributes = 0;
@@ -94,8 +95,8 @@ std::string directoryRecord(const std::string& name, const EntryRecord& record) 
   return bytes + name + extra;
 }
 
-/// What ends an archive: its directory has `records` records and stands from `begin` to `end`, where this
-/// begins.
+/// Returns the end of an archive, placed at `end`: its directory has `records` records, from `begin` to
+/// `end`.
 std::string endOf(std::uint64_t records, std::uint64_t begin, std::uint64_t end) {
   constexpr std::uint32_t zip64_signature = 0x06064B50, locator_signature = 0x07064B50,
                           signature = 0x06054B50, disk = 0, disks = 1;
@@ -127,14 +128,15 @@ Result<void> eachPiece(const ZipEntry& entry, const Use& use) {
   return used;
 }
 
-/// A reader that has no directory yet, of a pipe, needs the checksum in the header, before the bytes.
+/// Computes the checksum beforehand: a reader of a pipe has no directory yet, and needs it in the header,
+/// before the bytes.
 std::uint32_t checksumOf(const ZipEntry& entry) {
   uLong checksum = 0;
   const auto add = [&](std::string_view bytes) -> Result<void> {
     checksum = crc32_z(checksum, reinterpret_cast<const Bytef*>(bytes.data()), bytes.size());
     return {};
   };
-  // Nothing here can be refused.
+  // This callback refuses nothing.
   static_cast<void>(eachPiece(entry, add));
   return static_cast<std::uint32_t>(checksum);
 }

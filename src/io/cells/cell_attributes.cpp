@@ -14,7 +14,7 @@
 namespace vorpipe {
 namespace {
 
-/// Of all formats, so that an attribute has one name in all of them; fid and geom are GeoPackage's.
+/// Field names of all formats, so that an attribute has the same name in each; fid and geom are GeoPackage's.
 constexpr std::array<std::string_view, 21> own_fields{"fid",
                                                       "geom",
                                                       "site",
@@ -55,7 +55,7 @@ std::string renamingNote(std::span<const Attribute> attributes) {
   const auto names = attributeNames(attributes);
   std::string renamed;
   for (std::size_t k = 0; k < names.size(); ++k) {
-    // The column `fid` holds the row numbers of a GeoPackage: that these are renamed is no news to its user.
+    // The column `fid` holds a GeoPackage's row numbers: users need no note of its renaming.
     if (names[k] == attributes[k].name() || attributes[k].name() == "fid") continue;
     renamed += fmt::format("{}{} to {}", renamed.empty() ? "" : ", ", inQuotes(attributes[k].name()),
                            inQuotes(names[k]));

@@ -1,4 +1,4 @@
-/// Attributes of the input as further fields of cells.
+/// Attributes of the input as additional fields of cells.
 #pragma once
 
 #include <cstddef>
@@ -11,18 +11,18 @@
 
 namespace vorpipe {
 
-/// The names under which attributes stand in files of cells: their own; but one that a field of vorpipe's has
-/// in any format, or an attribute before it, or that is empty, begins with input_, as often as it takes.
-/// Names that differ in their case alone are one, as they are to databases.
+/// Returns the names of attributes in files of cells. A name gets the prefix input_, repeatedly if necessary,
+/// if it is empty, or is that of an earlier attribute or of a vorpipe field in any format. Names that differ
+/// only in case count as equal, as in databases.
 std::vector<std::string> attributeNames(std::span<const Attribute> attributes);
 
-/// A line that says which attributes have other names in files of cells; empty where all have their own.
+/// Returns a line that lists the attributes renamed in files of cells; empty if all keep their names.
 std::string renamingNote(std::span<const Attribute> attributes);
 
-/// Appends a site's value as JSON; null where it is missing.
+/// Appends a site's value as JSON; null if it is missing.
 void printJsonValue(Bytes& text, const Attribute& attribute, std::size_t site);
 
-/// Appends a site's value as a field of CSV; nothing where it is missing.
+/// Appends a site's value as a CSV field; nothing if it is missing.
 void printCsvValue(Bytes& text, const Attribute& attribute, std::size_t site);
 
 }  // namespace vorpipe

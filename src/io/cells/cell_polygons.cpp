@@ -12,10 +12,10 @@ namespace {
 
 constexpr double half_turn = 180, whole_turn = 360, pole = 90;  // degrees
 
-/// A ring whose longitudes go on from point to point, beyond half a turn if need be. Edges that are straight
-/// in the plane bend in degrees, near a pole so much that cells would not hold their sites: such edges get
-/// places in between. A pole on the ring is two places, at the longitudes from which the ring comes and to
-/// which it goes.
+/// A ring whose longitudes continue from point to point, beyond half a turn if necessary. Edges that are
+/// straight in the plane bend in degrees. Near a pole they bend so much that cells would not contain their
+/// sites: such edges get points in between. A pole on the ring becomes two points, at the longitudes where
+/// the ring arrives and leaves.
 class UnrolledRing {
  public:
   UnrolledRing(const Projection& projection, std::span<const Point> ring) : projection_(projection) {
@@ -35,10 +35,10 @@ class UnrolledRing {
     points_.pop_back();
   }
 
-  /// Nothing: no edge bends or leads into another turn, and the ring is as it was. The last point is not the
-  /// first again.
+  /// Empty if no edge bends or leads into another turn: the ring is unchanged. The first point is not
+  /// repeated at the end.
   [[nodiscard]] std::vector<Point>& points() { return points_; }
-  /// Around a pole: 1 or -1, as the inside lies to the north or to the south; else 0.
+  /// Around a pole: 1 if the inside lies to the north, -1 if to the south; else 0.
   [[nodiscard]] int turns() const { return turns_; }
 
  private:
@@ -47,10 +47,10 @@ class UnrolledRing {
     Point plane;
   };
 
-  static constexpr double least_way = 10;      ///< degrees of longitude; what has less bends little
-  static constexpr double most_off = 0.02;     ///< of an edge's length, that its middle may be off
-  static constexpr double shortest = 0x1p-16;  ///< of an edge: one beside the pole always bends
-  static constexpr double at_pole = 1e-6;      ///< km; nearer to a pole longitudes are rounding
+  static constexpr double least_way = 10;   ///< degrees of longitude; shorter edges bend little
+  static constexpr double most_off = 0.02;  ///< fraction of an edge's length by which its middle may be off
+  static constexpr double shortest = 0x1p-16;  ///< length of an edge: one beside the pole always bends
+  static constexpr double at_pole = 1e-6;      ///< km; nearer to a pole, longitudes are rounding errors
 
   static double lengthOf(Point a, Point b) { return std::hypot(b.x - a.x, b.y - a.y); }
 
@@ -72,7 +72,7 @@ class UnrolledRing {
     return found == poles_.end() ? nullptr : &*found;
   }
 
-  /// The pole that an edge passes through.
+  /// Returns the pole that an edge passes through.
   [[nodiscard]] const Pole* poleBetween(Point from, Point to) const {
     const double length = lengthOf(from, to);
     const auto found = std::ranges::find_if(poles_, [&](const Pole& each) {
@@ -99,8 +99,8 @@ class UnrolledRing {
     }
   }
 
-  /// From a pole to a place. What is inside lies to the left: west of a ring that comes to the north pole,
-  /// and east of one that comes to the south pole.
+  /// Continues from a pole to a point. The inside lies to the left: west of a ring that comes to the north
+  /// pole, and east of one that comes to the south pole.
   void leave(const Pole& from, Point to) {
     const double came = points_.back().x;
     const double east = to.x - came - whole_turn * std::floor((to.x - came) / whole_turn);
@@ -114,7 +114,7 @@ class UnrolledRing {
     points_.push_back(point);
   }
 
-  /// Halving gives the same places from either end, so that neighbors still share them.
+  /// Halving gives the same points from either end, so that neighbors still share them.
   void addBetween(Point a, Point from, Point b, Point to, double least) {
     const double way = std::remainder(b.x - a.x, whole_turn), length = lengthOf(from, to);
     if (std::abs(way) <= least_way || length <= least) return;
@@ -133,14 +133,15 @@ class UnrolledRing {
   int turns_ = 0;
 };
 
-/// A ring around a pole from the meridian of its cut once around to it. East: its inside lies to the north.
+/// A ring around a pole, from the meridian of its cut once around back to it. East: its inside lies to the
+/// north.
 struct Round {
   std::vector<Point> points;  ///< the first and the last lie on the meridian
   bool east;
 };
 
-/// A ring around a pole, cut at the meridian half a turn from `middle`. Where it crosses that several times,
-/// it is cut where it is nearest to the pole that lies on its inside: from there nothing is in the way.
+/// A ring around a pole, cut at the meridian half a turn from `middle`. If it crosses that several times, the
+/// cut is where it is nearest to the pole on its inside: nothing lies between them.
 Round roundOf(const std::vector<Point>& ring, int turns, double middle) {
   const bool east = turns > 0;
   const auto at = [&](std::size_t k) {

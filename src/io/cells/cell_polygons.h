@@ -1,4 +1,4 @@
-/// The polygons of a cell as files of features have them.
+/// Polygons of a cell for files of features.
 #pragma once
 
 #include <cstddef>
@@ -11,11 +11,11 @@
 
 namespace vorpipe {
 
-/// The polygons of a cell, each of which is rings of points: an outer ring, then its holes. The last point of
-/// a ring is not the first again. In degrees that come from a projection edges that bend much get places in
-/// between (decision D135), and a ring around a pole is led along the meridian opposite to the center to the
-/// pole and back, or to the hole around the pole, so that it is a polygon of longitude and latitude (decision
-/// D126). The diagram outlives this.
+/// The polygons of a cell. Each is a list of rings of points: an outer ring, then its holes. A ring does not
+/// repeat its first point. In degrees from a projection, strongly bent edges get points in between (decision
+/// D135). There, a ring around a pole also follows the meridian opposite to the center to the pole and back,
+/// or to the hole around the pole, so that it is a polygon of longitude and latitude (decision D126). The
+/// diagram must outlive this.
 class CellPolygons {
  public:
   using Rings = std::vector<std::span<const Point>>;
@@ -28,7 +28,7 @@ class CellPolygons {
 
  private:
   std::vector<Rings> polygons_;
-  std::list<std::vector<Point>> made_;  ///< rings that are not the diagram's
+  std::list<std::vector<Point>> made_;  ///< rings that are not in the diagram
 };
 
 }  // namespace vorpipe

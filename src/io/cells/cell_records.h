@@ -1,4 +1,4 @@
-/// What a record says of a cell, in words that several formats share.
+/// Text in records of cells that several formats share.
 #pragma once
 
 #include <cstddef>

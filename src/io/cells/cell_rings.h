@@ -1,4 +1,4 @@
-/// The polygons of which a cell consists.
+/// Splits a cell into its polygons.
 #pragma once
 
 #include <cstddef>
@@ -16,11 +16,11 @@ struct Ring {
   bool hole;
 };
 
-/// The rings of the site's cell in the diagram's order: each outer one is followed by its holes. None where
-/// the cell has no polygon.
+/// Returns the rings of the site's cell in the diagram's order: each outer ring, then its holes. None if the
+/// cell has no polygon.
 std::vector<Ring> ringsOf(const Diagram& diagram, std::size_t site);
 
-/// The parts of `rings` that are a polygon each: an outer ring and its holes.
+/// Splits `rings` into polygons, each an outer ring and its holes.
 std::vector<std::span<const Ring>> piecesOf(std::span<const Ring> rings);
 
 /// Whether the site's cell has a polygon.

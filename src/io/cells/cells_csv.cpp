@@ -10,7 +10,7 @@ namespace vorpipe {
 
 namespace {
 
-/// The columns that only some diagrams have, in the order of their names in headerOf().
+/// Prints the columns that only some diagrams have, in the order of headerOf().
 void printMore(Bytes& text, const Diagram& diagram, std::size_t site) {
   if (!diagram.neighbor_shifts.empty()) {
     text.push_back(',');
@@ -57,10 +57,10 @@ void printRecord(Bytes& text, const CellsOutput& output, std::size_t site) {
   text.push_back('\n');
 }
 
-/// Columns site,x,y,weight,status,area,perimeter,centroid_x,centroid_y,vertices,neighbors; neighbor_shifts
-/// where the domain is periodic; rings where it has an outline; mass,mass_centroid_x,mass_centroid_y where it
-/// has a density; then the attributes. The weight is 0 where sites have none; `vertices` and `rings` are
-/// numbers; neighbors are separated by spaces, and so are shifts, each kx:ky.
+/// Columns site,x,y,weight,status,area,perimeter,centroid_x,centroid_y,vertices,neighbors; neighbor_shifts if
+/// the domain is periodic; rings if it has an outline; mass,mass_centroid_x,mass_centroid_y if it has a
+/// density; then the attributes. The weight is 0 if sites have none; `vertices` and `rings` are counts;
+/// spaces separate neighbors, and shifts, each kx:ky.
 Result<void> writeCsvCells(ByteSink& sink, const CellsOutput& output) {
   const Bytes header = headerOf(output);
   return sink.write({header.data(), header.size()}).and_then([&] {

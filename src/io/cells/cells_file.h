@@ -1,4 +1,4 @@
-/// Cells as a file of any known kind.
+/// Writes cells as a file of any known kind.
 #pragma once
 
 #include <span>
@@ -13,14 +13,14 @@
 
 namespace vorpipe {
 
-/// Cells, and what their records say besides.
+/// Cells, and further contents of their records.
 struct CellsOutput {
   const Sites& sites;
   const Diagram& diagram;
   std::span<const Attribute> attributes{};  ///< each as long as the sites
   CoordinateSystem system{};                ///< of all positions
   bool only_cells = false;                  ///< in formats of features: leaves out records without a polygon
-  int threads = 0;                          ///< that text is put together on; 0 for all
+  int threads = 0;                          ///< that format text; 0 for all
 };
 
 /// A kind of file for cells. Each has a file of its own, cells_NAME.cpp, and a line in cells_file.cpp.
@@ -29,9 +29,9 @@ struct CellsFormat {
   Detail detail;  ///< the parts of a Diagram that it writes
   /// The errors are those of writeCells.
   Result<void> (*write)(ByteSink& sink, const CellsOutput& output);
-  bool mesh = false;        ///< whether it is made of faces that share their vertices, which takes memory
-  bool attributes = false;  ///< whether it has those of the input
-  bool features = false;    ///< whether it can leave out records without a polygon, as `only_cells` wants
+  bool mesh = false;        ///< whether it consists of faces that share vertices, which takes memory
+  bool attributes = false;  ///< whether it contains those of the input
+  bool features = false;    ///< whether it can leave out records without a polygon, for `only_cells`
   bool in_memory = false;   ///< whether the whole file is in memory before it is written
 };
 
@@ -42,8 +42,8 @@ std::vector<std::string_view> cellsExtensions();
 Result<const CellsFormat*> cellsFormatOf(const std::string& path);
 
 /// Writes cells with the format's detail or more, in input order; equal cells give equal bytes. Numbers in
-/// text read back to the same double, but for .svg, which is in pixels. Errors: .obj, .ply or .vtk with more
-/// vertices than its indices can count (input); writing failed or memory ran out (device).
+/// text read back to the same double, except in .svg, which is in pixels. Errors: .obj, .ply or .vtk with
+/// more vertices than its indices can count (input); writing failed or memory ran out (device).
 Result<void> writeCells(ByteSink& sink, const CellsOutput& output, const CellsFormat& format);
 
 }  // namespace vorpipe

@@ -104,8 +104,8 @@ class Rows {
   Bytes text_;
 };
 
-/// A GeoPackage with the layer `cells`, of MultiPolygons, NULL where there is no cell. Its fields are the
-/// columns of .csv and `owner`; weight, mass and the like only where there are some.
+/// A GeoPackage with the layer `cells`, of MultiPolygons, NULL if there is no cell. Its fields are the
+/// columns of .csv and `owner`; weight, mass and the like only if there are some.
 Result<void> writeGpkgCells(ByteSink& sink, const CellsOutput& output) {
   const Layer layer{"cells", GeometryType::multi_polygon, fieldsOf(output), output.system};
   Rows rows(output);

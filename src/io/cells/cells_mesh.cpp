@@ -23,7 +23,7 @@ class MeshMaker {
     mesh_.offsets.push_back(0);
   }
 
-  /// Adds the faces of a site's cell; whether its pieces with holes could be cut into triangles.
+  /// Adds the faces of a site's cell; returns whether its pieces with holes could be cut into triangles.
   [[nodiscard]] bool add(std::uint32_t site) {
     const auto rings = ringsOf(diagram_, site);
     for (const auto piece : piecesOf(rings)) {
@@ -47,7 +47,7 @@ class MeshMaker {
     return true;
   }
 
-  /// Numbers the points in the order in which the faces meet them, and drops those that none does.
+  /// Numbers the points in the order of first use by the faces, and drops unused ones.
   void numberPoints() {
     if (in_order_ && met_ == mesh_.points.size()) return;
     std::vector<std::uint32_t>().swap(vertex_of_);
@@ -86,7 +86,7 @@ class MeshMaker {
     std::ranges::sort(entries, isBefore, [this](std::uint64_t entry) { return diagram_.vertices[entry]; });
     return entries;
   }
-  /// The entry of a corner of a triangle: triangles have no other vertices than their piece.
+  /// Returns the entry of a triangle's corner: triangles only have vertices of their piece.
   [[nodiscard]] std::optional<std::uint64_t> entryAt(const std::vector<std::uint64_t>& entries,
                                                      const Point& corner) const {
     const auto vertex = [this](std::uint64_t entry) { return diagram_.vertices[entry]; };
@@ -99,7 +99,7 @@ class MeshMaker {
   const Diagram& diagram_;
   std::vector<std::uint32_t> vertex_of_;  ///< by place in Diagram::vertices
   CellsMesh& mesh_;
-  std::size_t met_ = 0;  ///< the points that corners have met, as long as these come in order
+  std::size_t met_ = 0;  ///< points used by corners so far, while they are in order
   bool in_order_ = true;
 };
 
@@ -122,7 +122,7 @@ Result<CellsMesh> cellsMesh(const ByteSink& sink, const Diagram& diagram) {
                                      sink.name(), site));
     }
   }
-  // .vtk counts the corners of all faces and the faces together.
+  // .vtk stores one count of all faces plus their corners.
   if (mesh.corners.size() + mesh.size() > largest) return tooMany();
   maker.numberPoints();
   return mesh;

@@ -1,4 +1,4 @@
-/// Cells as faces that share their vertices.
+/// Cells as faces that share vertices.
 #pragma once
 
 #include <cstddef>
@@ -11,10 +11,10 @@
 
 namespace vorpipe {
 
-/// Faces without holes, which is all that the formats of meshes know: one for each piece of a cell; a piece
-/// with holes as triangles.
+/// Faces without holes, since mesh formats support no others: one for each piece of a cell; a piece with
+/// holes becomes triangles.
 struct CellsMesh {
-  std::vector<Point> points;           ///< each position once, in the order in which the faces meet them
+  std::vector<Point> points;           ///< each position once, in the order of first use by the faces
   std::vector<std::int32_t> corners;   ///< indices of points, counter-clockwise, face after face
   std::vector<std::uint64_t> offsets;  ///< size: faces + 1; where the corners of each face begin
   std::vector<std::uint32_t> sites;    ///< by face, ascending
@@ -24,9 +24,9 @@ struct CellsMesh {
   }
 };
 
-/// Joins vertices as distinctPoints() does. Errors: the cells have more vertices than the
-/// indices of mesh formats, 32-bit and signed, can count (input); a piece with holes could not be cut into
-/// triangles (device). `sink` is named.
+/// Joins vertices as distinctPoints() does. Errors: the cells have more vertices than the indices of mesh
+/// formats, 32-bit and signed, can count (input); a piece with holes could not be cut into triangles
+/// (device). The message names `sink`.
 Result<CellsMesh> cellsMesh(const ByteSink& sink, const Diagram& diagram);
 
 }  // namespace vorpipe

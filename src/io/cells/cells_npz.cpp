@@ -19,11 +19,11 @@ void add(std::vector<ZipEntry>& entries, const char* name, const std::vector<Row
   entries.push_back({std::string(name) + ".npy", std::move(array.header), zipBody(array.elements)});
 }
 
-/// Positions as pairs, which stand nowhere in memory: tens of millions of sites are not copied.
+/// Positions as pairs, made on demand: tens of millions of sites are not copied.
 ZipBody pairsOf(const Sites& sites) {
   constexpr std::size_t row = 2 * sizeof(double);
   return {sites.size() * row, [&sites](std::uint64_t offset, char* to, std::size_t length) {
-            // An offset may lie inside of a pair: readers ask for as many bytes as they like.
+            // An offset may lie inside a pair: readers request any number of bytes.
             std::size_t copied = 0;
             for (std::uint64_t site = offset / row; copied < length && site < sites.size(); ++site) {
               const double pair[] = {sites.x[site], sites.y[site]};
@@ -34,12 +34,12 @@ ZipBody pairsOf(const Sites& sites) {
           }};
 }
 
-/// Arrays of N sites, M vertices and T triangles: sites (N, 2), weights (N) where sites have them, status
-/// uint8 (N) with 0 ok, 1 empty, 2 duplicate, owners uint32 (N), areas (N), perimeters (N), centroids
-/// (N, 2), second_moments (N, 3), cell_offsets int64 (N + 1), cell_vertices (M, 2), neighbor_offsets int64
-/// (N + 1), neighbors int64 (M), edge_lengths (M), triangles uint32 (T, 3); float64 where nothing is said.
-/// Where a diagram has them: neighbor_shifts int32 (M, 2); ring_starts int64, one for each ring; mass (N) and
-/// mass_centroids (N, 2).
+/// Arrays of N sites, M vertices and T triangles: sites (N, 2), weights (N) if sites have them, status uint8
+/// (N) with 0 ok, 1 empty, 2 duplicate, owners uint32 (N), areas (N), perimeters (N), centroids (N, 2),
+/// second_moments (N, 3), cell_offsets int64 (N + 1), cell_vertices (M, 2), neighbor_offsets int64 (N + 1),
+/// neighbors int64 (M), edge_lengths (M), triangles uint32 (T, 3); float64 unless stated. If a diagram has
+/// them: neighbor_shifts int32 (M, 2); ring_starts int64, one for each ring; mass (N) and mass_centroids (N,
+/// 2).
 Result<void> writeNpzCells(ByteSink& sink, const CellsOutput& output) {
   const Sites& sites = output.sites;
   const Diagram& diagram = output.diagram;
@@ -55,7 +55,7 @@ Result<void> writeNpzCells(ByteSink& sink, const CellsOutput& output) {
   add<double>(entries, "perimeters", diagram.perimeter);
   add<double, 2>(entries, "centroids", diagram.centroid);
   add<double, 3>(entries, "second_moments", diagram.second_moments);
-  // NumPy makes float64 of a sum of uint64 and int64, so that offsets are signed.
+  // Offsets are signed because NumPy's sum of uint64 and int64 is float64.
   add<std::int64_t>(entries, "cell_offsets", diagram.cell_offsets);
   add<double, 2>(entries, "cell_vertices", diagram.vertices);
   add<std::int64_t>(entries, "neighbor_offsets", diagram.cell_offsets);

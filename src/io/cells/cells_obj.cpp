@@ -7,8 +7,8 @@ namespace vorpipe {
 
 namespace {
 
-/// The faces stand in the order of their sites; z is 0. A piece of a cell is a face, one with holes several
-/// triangles; where cells may have several faces, these stand in groups site_N.
+/// Writes faces in the order of their sites; z is 0. A piece of a cell is a face; one with holes is several
+/// triangles. If cells may have several faces, groups site_N hold them.
 Result<void> writeObjCells(ByteSink& sink, const CellsOutput& output) {
   const Diagram& diagram = output.diagram;
   const auto mesh = cellsMesh(sink, diagram);

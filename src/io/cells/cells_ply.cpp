@@ -20,7 +20,7 @@ Result<void> writePlyCells(ByteSink& sink, const CellsOutput& output) {
   if (!mesh) {
     return tl::unexpected(mesh.error());
   }
-  // A cell may have more vertices than the customary uchar counts.
+  // A cell may have more vertices than the usual uchar can count.
   const std::string head = fmt::format(
       "ply\nformat binary_little_endian 1.0\n"
       "element vertex {}\nproperty double x\nproperty double y\nproperty double z\n"

@@ -12,13 +12,13 @@ namespace {
 
 constexpr double longer_side = 1000;
 
-/// From the diagram's coordinates to pixels, y downward.
+/// Maps the diagram's coordinates to pixels, y downward.
 struct PixelMap {
   double xmin, ymax, scale, width, height;  ///< width and height are in pixels
 };
 
-/// Cells that tile the domain have it for the box of their vertices; those of a periodic one reach beyond it,
-/// and are shown whole.
+/// Uses the box of all vertices. It is the domain if cells tile it; cells of a periodic domain extend beyond
+/// it and are shown whole.
 PixelMap pixelMap(const Diagram& diagram) {
   if (diagram.vertices.empty()) {
     return {0, 0, 1, longer_side, longer_side};
@@ -29,7 +29,7 @@ PixelMap pixelMap(const Diagram& diagram) {
   return {box.xmin, box.ymax, scale, width * scale, height * scale};
 }
 
-/// Thin beside a polygon of mean size.
+/// Returns a width that is thin compared with a polygon of mean size.
 double strokeWidth(const PixelMap& map, const Diagram& diagram) {
   std::size_t polygons = 0;
   for (std::size_t site = 0; site < diagram.status.size(); ++site) {
@@ -39,7 +39,7 @@ double strokeWidth(const PixelMap& map, const Diagram& diagram) {
   return std::min(1.0, std::sqrt(map.width * map.height / count) / 20);
 }
 
-/// A light color as 0xRRGGBB. Golden steps around the hues keep sites of near indices far apart.
+/// Returns a light color as 0xRRGGBB. Golden steps around the hues give distinct colors to nearby indices.
 std::uint32_t fillColor(std::size_t site) {
   constexpr std::uint32_t golden_step = 0x9E3779B9, low = 0x78, high = 0xF0;
   const std::uint32_t turn = static_cast<std::uint32_t>(site) * golden_step;

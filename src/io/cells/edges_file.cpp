@@ -33,7 +33,7 @@ constexpr std::array edges_formats{EDGES_FORMATS(LISTED)};
 #undef LISTED
 constexpr std::span<const EdgesFormat* const> all_edges_formats(edges_formats);
 
-/// Where in Diagram::vertices an edge of a cell ends.
+/// Returns the index in Diagram::vertices of the end of a cell's edge.
 std::uint64_t endEntry(const Cell& cell, std::uint64_t entry) {
   const CellRings rings = cell.rings();
   std::size_t r = 0;

@@ -1,4 +1,4 @@
-/// The edges of cells as lines, in a file of any known kind.
+/// Writes the edges of cells as lines, in a file of any known kind.
 #pragma once
 
 #include <cstddef>
@@ -17,18 +17,18 @@ struct EdgesOutput {
   const Diagram& diagram;
   const Topology& topology;   ///< of the diagram
   CoordinateSystem system{};  ///< of all positions
-  int threads = 0;            ///< that text is put together on; 0 for all
+  int threads = 0;            ///< that format text; 0 for all
 };
 
-/// An edge as its first cell has it.
+/// An edge as seen from its first cell.
 struct EdgeLine {
   Point begin, end;
   std::int64_t site_a;  ///< on its left
-  std::int64_t site_b;  ///< on its right: a site, or a wall, as isWall() tells
+  std::int64_t site_b;  ///< on its right: a site, or a wall (isWall())
   double length;
 };
 
-/// Edge `edge` of the topology. In a periodic domain it is where the cell of `site_a` has it.
+/// Edge `edge` of the topology. In a periodic domain its position is that in the cell of `site_a`.
 EdgeLine edgeLine(const EdgesOutput& output, std::size_t edge);
 
 /// A kind of file for edges. Each has a file of its own, edges_NAME.cpp, and a line in edges_file.cpp.
@@ -45,9 +45,9 @@ std::vector<std::string_view> edgesExtensions();
 /// The format that the path's extension names; never null. Error (input): it names none.
 Result<const EdgesFormat*> edgesFormatOf(const std::string& path);
 
-/// Writes the edges in the topology's order: that of the cells that have them first. Equal cells give equal
-/// bytes, and numbers in text read back to the same double. Each edge has its number, its two sites and its
-/// length. Error (device): writing failed or memory ran out.
+/// Writes the edges in the topology's order: that of their first cells. Equal cells give equal bytes, and
+/// numbers in text read back to the same double. Each edge has its number, its two sites and its length.
+/// Error (device): writing failed or memory ran out.
 Result<void> writeEdges(ByteSink& sink, const EdgesOutput& output, const EdgesFormat& format);
 
 }  // namespace vorpipe

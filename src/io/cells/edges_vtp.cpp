@@ -6,8 +6,8 @@
 namespace vorpipe {
 namespace {
 
-/// PolyData with lines, z is 0. Edges share their ends, but where a vertex stands in several places: in a
-/// periodic domain, and in degrees that come from a projection, in several turns.
+/// PolyData with lines, z is 0. Edges share their ends, unless a vertex has several positions: in a periodic
+/// domain, or in several turns of degrees from a projection.
 Result<void> writeVtpEdges(ByteSink& sink, const EdgesOutput& output) {
   const Topology& topology = output.topology;
   const std::size_t count = topology.edge_entry.size();

@@ -4,7 +4,7 @@
 namespace vorpipe {
 namespace {
 
-/// A line for each edge, from where it begins to where it ends.
+/// Writes a line for each edge, from its beginning to its end.
 Result<void> writeWktEdges(ByteSink& sink, const EdgesOutput& output) {
   const std::size_t count = output.topology.edge_entry.size();
   if (count == 0) return sink.write("GEOMETRYCOLLECTION EMPTY\n");

@@ -1,4 +1,4 @@
-/// Steps of a fluid as files for ParaView.
+/// Writes steps of a fluid as files for ParaView.
 #pragma once
 
 #include <string>
@@ -10,17 +10,17 @@
 
 namespace vorpipe {
 
-/// Writes a step as a .vtp file: a polygon for each cell with its site, velocity, pressure, volume
-/// and density. `diagram` has the cells of its sites in the options' domain, with Detail::polygons; with a
-/// free surface they are cut by polygons that have enough corners to look like discs. Errors: those of
-/// cellsMesh(); writing failed (device).
+/// Writes a step as a .vtp file: a polygon for each cell with its site, velocity, pressure, volume and
+/// density. `diagram` has the cells of its sites in the options' domain, with Detail::polygons; with a free
+/// surface, discs cut them, as polygons with enough corners to look round. Errors: those of cellsMesh();
+/// writing failed (device).
 Result<void> writeFluidStep(ByteSink& sink, const FluidState& state, const FluidOptions& options,
                             const Diagram& diagram);
 
 /// A file of the series.
 struct SeriesStep {
   double time;
-  std::string file;  ///< its name, without the folder that the series is in
+  std::string file;  ///< its name, without the folder of the series
 };
 
 /// Writes the .pvd file that names all files of a series with their times.

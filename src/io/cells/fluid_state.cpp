@@ -54,11 +54,12 @@ constexpr std::array<std::string_view, 4> periodic_names{"none", "x", "y", "xy"}
 constexpr std::array<std::string_view, 2> surface_names{"none", "free"},
     scheme_names{"springs", "projection"};
 
-/// A state is all that later steps depend on: an array that is no part of it was meant to be one.
+/// Refuses unknown arrays. A state is all that later steps depend on, so an unknown array is probably a
+/// misspelled one.
 Result<void> checkNames(const NpzFile& file) {
   for (const std::string& name : file.names()) {
     if (std::ranges::find(array_names, name) != array_names.end()) continue;
-    // Plurals among them, and longer words.
+    // Also finds plurals and longer words.
     constexpr std::size_t same = 3;
     const auto meant = std::ranges::find_if(
         array_names, [&](std::string_view known) { return name.substr(0, same) == known.substr(0, same); });
@@ -70,7 +71,7 @@ Result<void> checkNames(const NpzFile& file) {
   return {};
 }
 
-/// Reads arrays one after the other; the first error stays.
+/// Reads arrays one after the other; keeps the first error.
 class Reader {
  public:
   explicit Reader(const NpzFile& file) : file_(file) {}
@@ -82,7 +83,7 @@ class Reader {
     if (!error) error = std::move(read.error());
     return {};
   }
-  /// So many; empty where there is no such array.
+  /// Reads `count` numbers; empty if there is no such array.
   template <class Number>
   std::vector<Number> several(const char* name, std::size_t count) {
     auto read = many<Number>(name);
@@ -90,13 +91,13 @@ class Reader {
       refuse(fmt::format("{} has {} numbers, not {}", name, read.size(), count));
     return error ? std::vector<Number>() : read;
   }
-  /// Leaves the value where there is none.
+  /// Reads a number; without one, `value` stays.
   template <class Number>
   void single(const char* name, Number& value) {
     const auto read = several<Number>(name, 1);
     if (!read.empty()) value = read.front();
   }
-  /// The same for one of these names, as text or by its number.
+  /// The same for one of `names`, as text or by its number.
   template <class Name>
   void name(const char* array, std::span<const std::string_view> names, Name& value) {
     if (const auto text = file_.text(array)) {

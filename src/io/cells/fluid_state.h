@@ -1,4 +1,4 @@
-/// Fluids as files that they go on from.
+/// Files from which a fluid simulation continues.
 #pragma once
 
 #include <string>
@@ -12,13 +12,13 @@ namespace vorpipe {
 /// Writes all that a later step depends on as an .npz file: sites (N, 2), weights (N), velocity (N, 2),
 /// volume (N), density (N), pressure (N), trend (N), order uint32 (N); domain (4), gravity (2), carried (2);
 /// time, until, length, epsilon and tolerance (1); step and diagrams uint64 (1); periodic, surface and scheme
-/// uint8 (1), which count the names of their options from 0; float64 where nothing is said. Arrays that a
-/// state does not have are left out. Error (device): writing failed.
+/// uint8 (1), which number the values of their options from 0; float64 unless stated. Leaves out arrays that
+/// a state does not have. Error (device): writing failed.
 Result<void> writeFluid(ByteSink& sink, const FluidState& state, const FluidOptions& options);
 
-/// Reads such a file; of its arrays only `sites` must be there, and `domain`. Numbers may be of any type, and
-/// names be written out. Errors (input): those of NpzFile; an array of another name. One that is none of
-/// these sites' is left to Fluid::begin.
+/// Reads such a file; only the arrays `sites` and `domain` are required. Numbers may be of any type, and
+/// option names be written out. Errors (input): those of NpzFile; an array of another name. Fluid::begin
+/// checks whether arrays match the sites.
 Result<FluidSetup> readFluid(const std::string& path);
 
 }  // namespace vorpipe

@@ -13,10 +13,10 @@ namespace vorpipe {
 namespace {
 
 constexpr std::uint64_t number_size = sizeof(double), index_size = sizeof(std::int32_t);
-/// Arrays that are shorter do not count.
+/// Shorter arrays do not count.
 constexpr std::uint64_t shortest = std::uint64_t{1} << 16;
 
-/// Arrays that grow together, by doubling; the plan keeps them.
+/// Plans arrays that grow together, by doubling; the plan keeps them.
 void planGrowing(MemoryPlan& plan, std::string_view what, std::uint64_t count,
                  const std::vector<std::uint64_t>& bytes) {
   std::vector<MemoryPlan::Array> arrays(bytes.size());
@@ -30,17 +30,17 @@ void planGrowing(MemoryPlan& plan, std::string_view what, std::uint64_t count,
   }
 }
 
-/// Corners of all cells.
+/// Returns the number of corners of all cells.
 std::uint64_t cornersOf(const Workload& work) { return work.sites * mean_edges; }
 
-/// cellsMesh(): a table of positions, which is gone when the faces with their corners come.
+/// Plans cellsMesh(): a table of positions, freed before the faces and their corners are made.
 void planMesh(MemoryPlan& plan, const Workload& work) {
   const std::string_view what = "the mesh to write";
   const auto corners = cornersOf(work);
   const auto since = plan.next();
   const auto table = plan.take(what, std::bit_ceil(2 * corners + 1) * index_size);
   plan.take(what, corners * index_size);
-  // Each vertex is a corner of three cells, but at walls and where its places in them differ.
+  // Each vertex is a corner of three cells, except at walls and where its positions in them differ.
   const auto points = std::max(corners / 2, work.sites);
   planGrowing(plan, what, points, {sizeof(Point)});
   plan.drop(table);
@@ -49,10 +49,10 @@ void planMesh(MemoryPlan& plan, const Workload& work) {
   plan.dropSince(since);
 }
 
-/// Each once: those at walls belong to one cell.
+/// Counts each edge once: edges at walls belong to one cell.
 std::uint64_t edgesOf(const Workload& work) { return cornersOf(work) / 2 + work.sites / 8; }
 
-/// topologyOf(); the plan keeps its arrays.
+/// Plans topologyOf(); the plan keeps its arrays.
 void planTopology(MemoryPlan& plan, const Workload& work) {
   const std::string_view what = "the topology";
   const auto corners = cornersOf(work), edges = edgesOf(work);
@@ -110,7 +110,7 @@ void planCellsFile(MemoryPlan& plan, const Workload& work, const CellsFormat& fo
                    std::uint64_t attribute_bytes) {
   if (format.mesh) planMesh(plan, work);
   if (format.in_memory) {
-    // As measured: the numbers and the index, and what is for each corner a position and a neighbor's number.
+    // As measured: numbers and index per site; a position and a neighbor's number per corner.
     constexpr std::uint64_t site_bytes = 220, corner_bytes = 26;
     const auto bytes = work.sites * site_bytes + cornersOf(work) * corner_bytes + attribute_bytes;
     plan.drop(plan.take("the file to write", bytes));
@@ -143,8 +143,8 @@ void planShapes(MemoryPlan& plan, const Workload& work, const RenderOptions& opt
 
 void planIdsFile(MemoryPlan& plan, const Workload& work, const IdsFormat& format, const PictureSize& size) {
   if (!format.compressed) return;
-  // A line through even sites meets 4/pi of a cell for each of the sites along a side of the domain. There
-  // differences are other than 0, and take a little more than their four bytes.
+  // A line through evenly spread sites crosses 4/pi cells per site along a side of the domain. Differences
+  // there are nonzero, and take a little more than their four bytes.
   constexpr double cells_of_line = 1.28, bytes_of_change = 5, bytes_of_row = 64;
   const double changes =
       std::min<double>(size.width, cells_of_line * std::sqrt(static_cast<double>(work.sites)));

@@ -1,4 +1,4 @@
-/// What files and generators add to a MemoryPlan.
+/// Adds files and generators to a MemoryPlan.
 #pragma once
 
 #include <cstdint>
@@ -12,13 +12,13 @@
 
 namespace vorpipe {
 
-/// Plans the sites of `--sites SPEC`, of which there are `sites`, with or without weights of their own.
+/// Plans the `sites` sites of `--sites SPEC`, with or without weights of their own.
 void planSites(MemoryPlan& plan, const std::string& spec, std::uint64_t sites, bool weighted);
 
 /// Plans attributes that were read and take this many bytes.
 void planAttributes(MemoryPlan& plan, std::uint64_t bytes);
 
-/// Plans readWeights of a file; or randomWeights, where the path is empty.
+/// Plans readWeights of a file; or randomWeights if the path is empty.
 void planWeights(MemoryPlan& plan, const std::string& path, std::uint64_t sites);
 
 /// Plans readDensity.
@@ -33,7 +33,7 @@ void planShapes(MemoryPlan& plan, const Workload& work, const RenderOptions& opt
 
 /// Plans the writer of ids of a picture.
 void planIdsFile(MemoryPlan& plan, const Workload& work, const IdsFormat& format, const PictureSize& size);
-/// Plans topologyOf, and writeEdges in each of these formats; nothing where there is none.
+/// Plans topologyOf, and writeEdges in each of these formats; nothing if there is none.
 void planEdgesFiles(MemoryPlan& plan, const Workload& work, std::span<const EdgesFormat* const> formats);
 
 }  // namespace vorpipe

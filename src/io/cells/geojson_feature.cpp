@@ -50,7 +50,7 @@ void printGeometry(Bytes& text, const CellPolygons& cell) {
   text.push_back('}');
 }
 
-/// The names of attributes as JSON has them, each with the comma before it and the colon after it.
+/// Returns the names of attributes as JSON strings, each with the comma before it and the colon after it.
 std::vector<std::string> keysOf(const CellsOutput& output) {
   std::vector<std::string> keys;
   for (const std::string& name : attributeNames(output.attributes)) {

@@ -10,10 +10,10 @@
 
 namespace vorpipe {
 
-/// Writes a feature for each site: its id is the site, its properties are x, y, weight (where sites have
-/// one), status, owner, area, perimeter, centroid and neighbors; mass, mass_centroid and neighbor_shifts
-/// where the diagram has them; then the attributes. The geometry is a Polygon, of several pieces a
-/// MultiPolygon, or null. Error (device): writing failed.
+/// Writes a feature for each site: its id is the site, its properties are x, y, weight (if sites have one),
+/// status, owner, area, perimeter, centroid and neighbors; mass, mass_centroid and neighbor_shifts if the
+/// diagram has them; then the attributes. The geometry is a Polygon, a MultiPolygon for several pieces, or
+/// null. Error (device): writing failed.
 Result<void> writeCellFeatures(ByteSink& sink, FeaturesAs as, const CellsOutput& output);
 
 }  // namespace vorpipe

@@ -11,8 +11,8 @@
 
 namespace vorpipe {
 
-/// Counter-clockwise triangles that fill a piece of a cell, between its own vertices; none where GEOS finds
-/// that the rings are not those of a polygon.
+/// Returns counter-clockwise triangles that fill a piece of a cell, using only its vertices; none if GEOS
+/// finds that the rings form no polygon.
 std::optional<std::vector<std::array<Point, 3>>> trianglesOf(const Diagram& diagram,
                                                              std::span<const Ring> piece);
 

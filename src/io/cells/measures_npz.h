@@ -1,4 +1,4 @@
-/// Areas, centroids and numbers of neighbors of cells as an archive of NumPy's arrays.
+/// Writes areas, centroids and neighbor counts of cells as an archive of NumPy arrays.
 #pragma once
 
 #include <cstdint>
@@ -10,7 +10,7 @@
 
 namespace vorpipe {
 
-/// What is known of cells without their edges, each by site.
+/// Measures of cells that need no edges, each by site.
 struct MeasuresOfCells {
   std::span<const double> area;
   std::span<const Point> centroid;
@@ -18,11 +18,11 @@ struct MeasuresOfCells {
   std::span<const Status> status;
 };
 
-/// Arrays of N sites: areas (N) and centroids (N, 2), float64; neighbor_counts uint32 (N); status uint8 (N)
-/// with 0 ok, 1 empty, 2 duplicate. Errors: those of writeZip.
+/// Writes arrays of N sites: areas (N) and centroids (N, 2), float64; neighbor_counts uint32 (N); status
+/// uint8 (N) with 0 ok, 1 empty, 2 duplicate. Errors: those of writeZip.
 Result<void> writeMeasures(ByteSink& sink, const MeasuresOfCells& measures);
 
-/// The same of a diagram; its extension is .npz, which names another format.
+/// The same for a diagram. Its extension is .npz, which also names another format.
 extern const CellsFormat npz_measures;
 
 }  // namespace vorpipe

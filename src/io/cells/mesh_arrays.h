@@ -1,4 +1,4 @@
-/// A mesh of cells as arrays of VTK.
+/// A mesh of cells as VTK arrays.
 #pragma once
 
 #include "io/cells/cells_mesh.h"
@@ -7,14 +7,14 @@
 
 namespace vorpipe {
 
-/// The points of a mesh. What these three return refers to what they are given.
+/// The points of a mesh. The results of these three functions refer to their arguments.
 VtkSection meshPoints(const CellsMesh& mesh);
 
 /// The corners of the faces, and where those of each face end.
 std::vector<VtkArray> meshFaces(const CellsMesh& mesh);
 
-/// For each face, of the diagram that the mesh is of, the whole cell's site, area, perimeter, neighbors
-/// (their number), status (as in .npz) and centroid; weight and mass where there are some.
+/// For each face, in the diagram of the mesh, the whole cell's site, area, perimeter, neighbors (their
+/// number), status (as in .npz) and centroid; weight and mass if there are some.
 VtkSection meshData(const CellsMesh& mesh, const Sites& sites, const Diagram& diagram);
 
 }  // namespace vorpipe

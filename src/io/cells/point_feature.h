@@ -6,7 +6,7 @@
 
 namespace vorpipe {
 
-/// Writes a Point for each site: its id is the site, its properties are its weight, where it has one, and the
+/// Writes a Point for each site: its id is the site, its properties are its weight, if it has one, and the
 /// attributes. Error (device): writing failed.
 Result<void> writePointFeatures(ByteSink& sink, FeaturesAs as, const PointsOutput& output);
 

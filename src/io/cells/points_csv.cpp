@@ -5,7 +5,7 @@
 namespace vorpipe {
 namespace {
 
-/// Columns x,y, or lon,lat where the sites are in degrees; weight where they have one; then the attributes.
+/// Columns x,y, or lon,lat if the sites are in degrees; weight if they have one; then the attributes.
 Result<void> writeCsvPoints(ByteSink& sink, const PointsOutput& output) {
   const Sites& sites = output.sites;
   const bool weighted = !sites.weight.empty();

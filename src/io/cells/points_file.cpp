@@ -53,7 +53,7 @@ Result<void> writePoints(ByteSink& sink, const PointsOutput& output, const Point
 }
 
 std::vector<std::string> pointAttributeNames(std::span<const Attribute> attributes) {
-  // What readers take for a place or a weight.
+  // Names that readers take for a position or a weight.
   std::unordered_set<std::string> taken{"",        "x",        "y",    "lon",       "lat",
                                         "weight",  "fid",      "geom", "w",         "r",
                                         "radius",  "lng",      "long", "longitude", "latitude",

@@ -1,4 +1,4 @@
-/// Sites as a file of any known kind that sites are read from.
+/// Writes sites as a file of any known kind from which sites can be read.
 #pragma once
 
 #include <span>
@@ -17,7 +17,7 @@ struct PointsOutput {
   const Sites& sites;
   std::span<const Attribute> attributes{};  ///< each as long as the sites
   CoordinateSystem system{};
-  int threads = 0;  ///< that text is put together on; 0 for all
+  int threads = 0;  ///< that format text; 0 for all
 };
 
 /// A kind of file for sites. Each has a file of its own, points_NAME.cpp, and a line in points_file.cpp.
@@ -25,7 +25,7 @@ struct PointsFormat {
   std::string_view extension;
   /// The errors are those of writePoints.
   Result<void> (*write)(ByteSink& sink, const PointsOutput& output);
-  bool attributes = false;  ///< whether it has those of the input
+  bool attributes = false;  ///< whether it contains those of the input
   bool in_memory = false;   ///< whether the whole file is in memory before it is written
 };
 
@@ -40,8 +40,8 @@ Result<const PointsFormat*> pointsFormatOf(const std::string& path);
 /// out (device).
 Result<void> writePoints(ByteSink& sink, const PointsOutput& output, const PointsFormat& format);
 
-/// The names of attributes in such files: their own, but that one which places or weights have begins with
-/// input_.
+/// Returns the names of attributes in such files: their own, but with the prefix input_ if positions or
+/// weights use the name.
 std::vector<std::string> pointAttributeNames(std::span<const Attribute> attributes);
 
 }  // namespace vorpipe

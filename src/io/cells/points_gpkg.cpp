@@ -6,7 +6,7 @@
 namespace vorpipe {
 namespace {
 
-/// A GeoPackage with the layer `sites`, of Points; the weight where sites have one, then the attributes.
+/// A GeoPackage with the layer `sites`, of Points; the weight if sites have one, then the attributes.
 Result<void> writeGpkgPoints(ByteSink& sink, const PointsOutput& output) {
   const Sites& sites = output.sites;
   Layer layer{"sites", GeometryType::point, {}, output.system};

@@ -5,7 +5,7 @@
 namespace vorpipe {
 namespace {
 
-/// float64, a row for each site: x, y, and its weight where it has one.
+/// float64, a row for each site: x, y, and its weight if it has one.
 Result<void> writeNpyPoints(ByteSink& sink, const PointsOutput& output) {
   const Sites& sites = output.sites;
   const bool weighted = !sites.weight.empty();

@@ -4,7 +4,7 @@
 namespace vorpipe {
 namespace {
 
-/// A site to a line: x, y, and its weight where it has one.
+/// One site per line: x, y, and its weight if it has one.
 Result<void> writeTxtPoints(ByteSink& sink, const PointsOutput& output) {
   const Sites& sites = output.sites;
   const auto put = [&](Bytes& text, std::size_t site) {

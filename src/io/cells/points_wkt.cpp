@@ -4,7 +4,7 @@
 namespace vorpipe {
 namespace {
 
-/// A POINT to a line.
+/// One POINT per line.
 Result<void> writeWktPoints(ByteSink& sink, const PointsOutput& output) {
   const auto put = [&](Bytes& text, std::size_t site) {
     print(text, FMT_COMPILE("POINT ({} {})\n"), output.sites.x[site], output.sites.y[site]);

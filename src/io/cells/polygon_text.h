@@ -1,4 +1,4 @@
-/// Polygons with holes as nested lists of points, as GeoJSON and WKT have them.
+/// Polygons with holes as nested lists of points, as in GeoJSON and WKT.
 #pragma once
 
 #include "io/base/print.h"
@@ -6,7 +6,7 @@
 
 namespace vorpipe {
 
-/// Appends the rings of one polygon, each of which ends where it began; `put(bytes, point)` appends a point.
+/// Appends the rings of one polygon, each ending at its first point; `put(bytes, point)` appends a point.
 template <class Put>
 void printPolygon(Bytes& text, const ListText& list, const CellPolygons::Rings& polygon, const Put& put) {
   printList(text, list, polygon.size(), [&](Bytes& rings, std::size_t r) {

@@ -7,7 +7,7 @@
 namespace vorpipe {
 namespace {
 
-/// The header up to where the first array begins.
+/// Returns the header up to the first array.
 std::string headerOf(const VtkPiece& piece) {
   std::string text = fmt::format(
       "<?xml version=\"1.0\"?>\n"

@@ -19,13 +19,13 @@ namespace vorpipe {
 /// Numbers of a piece. `put(bytes, row)` appends those of a row in little-endian order; rows may be of
 /// different lengths.
 struct VtkArray {
-  std::string_view name, type;  ///< the type in VTK's words: "Float64"
+  std::string_view name, type;  ///< VTK's name of the type: "Float64"
   std::uint64_t components;
   std::uint64_t rows, bytes;
   std::function<void(Bytes&, std::size_t)> put;
 };
 
-/// VTK's word for a type of number.
+/// Returns VTK's name of a number type.
 template <class Number>
 constexpr std::string_view vtkType() {
   if constexpr (std::is_same_v<Number, double>) return "Float64";
@@ -72,11 +72,11 @@ struct VtkSection {
 
 struct VtkPiece {
   std::string_view kind;  ///< "PolyData", "UnstructuredGrid"
-  std::string counts;     ///< how many points and cells there are: attributes of XML in the words of the kind
+  std::string counts;     ///< numbers of points and cells: XML attributes as named by the kind
   std::vector<VtkSection> sections;
 };
 
-/// Writes a file with one piece; its arrays follow the header as they are, with 64-bit lengths. Error
+/// Writes a file with one piece; its arrays follow the header as raw bytes, with 64-bit lengths. Error
 /// (device): writing failed.
 Result<void> writeVtkXml(ByteSink& sink, const VtkPiece& piece);
 

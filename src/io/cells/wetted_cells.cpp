@@ -13,8 +13,8 @@ using std::numbers::pi;
 /// Corners of a whole circle.
 constexpr double corners_of_circle = 48;
 
-/// The part of a segment that lies in the disc around the origin: from and to in [0, 1]; from above to where
-/// none does.
+/// The part of a segment inside the disc around the origin: from and to in [0, 1]; from > to if there is
+/// none.
 struct Inside {
   double from = 1, to = 0;
 };
@@ -29,7 +29,7 @@ Inside insideDisc(Point begin, Point end, double radius) {
   return {std::max(0.0, (-b - root) / a), std::min(1.0, (-b + root) / a)};
 }
 
-/// The part of a convex polygon around the origin that lies in the disc, counter-clockwise.
+/// The part of a convex polygon around the origin inside the disc, counter-clockwise.
 class DiscPart {
  public:
   explicit DiscPart(double radius) : radius_(radius) {}
@@ -60,7 +60,7 @@ class DiscPart {
 
  private:
   void onCircle(double angle) { points.push_back({radius_ * std::cos(angle), radius_ * std::sin(angle)}); }
-  /// The corners between two points of the circle, where they are two.
+  /// Adds the corners between two points, if both are on the circle and differ.
   void arc(Point from, Point to) {
     const double first = std::atan2(from.y, from.x);
     double turn = std::atan2(to.y, to.x) - first;

@@ -1,4 +1,4 @@
-/// Cells as polygons, of a free surface too.
+/// Cells as polygons, including those with a free surface.
 #pragma once
 
 #include "io/cells/cells_mesh.h"
@@ -6,9 +6,9 @@
 
 namespace vorpipe {
 
-/// The parts of cells that lie in the discs around their sites, whose radii are the roots of the weights, as
-/// faces of a mesh; each face has points of its own. Arcs are polygons whose corners lie on the circle, so
-/// that faces are a little smaller than the cells.
+/// Returns the parts of cells inside the discs around their sites as faces of a mesh; each face has points of
+/// its own. Radii are the square roots of the weights. Polygons with corners on the circle replace arcs, so
+/// faces are a little smaller than the cells.
 CellsMesh wettedCells(const Sites& sites, const Diagram& diagram);
 
 }  // namespace vorpipe

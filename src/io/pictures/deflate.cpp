@@ -13,7 +13,7 @@
 namespace vorpipe {
 namespace {
 
-// Lines of numbers get some percent smaller by more, in twice the time.
+// Higher levels make lines of numbers a few percent smaller, in twice the time.
 constexpr int level = 5;
 
 }  // namespace
@@ -44,7 +44,7 @@ DeflateSink::~DeflateSink() = default;
 
 Result<void> DeflateSink::deflate(std::string_view bytes, bool last) {
   auto& [z, piece] = *stream_;
-  // zlib does not write to what it reads, whatever its types say.
+  // zlib does not write to its input, despite its types.
   z.next_in = reinterpret_cast<Bytef*>(const_cast<char*>(bytes.data()));
   z.avail_in = static_cast<uInt>(bytes.size());
   do {

@@ -1,4 +1,4 @@
-/// Bytes made fewer by zlib (RFC 1950), as PDF and TIFF hold them.
+/// Compresses bytes with zlib (RFC 1950), as PDF and TIFF use it.
 #pragma once
 
 #include <memory>
@@ -13,10 +13,10 @@ namespace vorpipe {
 /// The same bytes give the same result. Throws std::bad_alloc.
 std::string deflated(std::string_view bytes);
 
-/// Hands on what it is given as one zlib stream.
+/// Compresses the bytes written into one zlib stream and passes it on.
 class DeflateSink final : public ByteSink {
  public:
-  /// `to` outlives this. Throws std::bad_alloc.
+  /// `to` must outlive this. Throws std::bad_alloc.
   explicit DeflateSink(ByteSink& to);
   DeflateSink(DeflateSink&&) noexcept;
   DeflateSink& operator=(DeflateSink&&) noexcept;

@@ -48,7 +48,7 @@ class Builder {
     ++keys_.directory[3];
   }
 
-  GeoKeys keys_{{1, 1, 1, 0}, {}, {}};  ///< versions, and how many keys follow
+  GeoKeys keys_{{1, 1, 1, 0}, {}, {}};  ///< versions, and the number of keys that follow
 };
 
 /// The EPSG code, if the file has room for it.

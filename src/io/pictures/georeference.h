@@ -1,4 +1,4 @@
-/// Where the pixels of a picture lie in the coordinates of its sites.
+/// Locates the pixels of a picture in the coordinates of its sites.
 #pragma once
 
 #include "io/base/byte_sink.h"
@@ -6,13 +6,13 @@
 
 namespace vorpipe {
 
-/// Pixels of one size; the corner is the upper left one of the pixel in row 0 and column 0.
+/// A grid of equal pixels; its corner is the upper left one of the pixel in row 0 and column 0.
 struct PixelGrid {
   double left, top;      ///< x and y of the corner
   double width, height;  ///< of a pixel, above 0
 };
 
-/// The pixels of a picture that shows `box` in `frame`.
+/// Returns the pixel grid of a picture that shows `box` in `frame`.
 PixelGrid pixelGridOf(const Box& box, const PictureFrame& frame);
 
 /// Writes a world file (.pgw): six lines, which give the x and y of the center of column c and row r as

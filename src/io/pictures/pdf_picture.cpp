@@ -16,14 +16,14 @@
 #include "io/pictures/vector_picture.h"
 #include "io/pictures/vector_text.h"
 
-// PDF Reference, third edition (1.4): 3.4 (the file), 4.3 and 4.4 (what draws), 5.2 and 5.3 (text).
+// PDF Reference, third edition (1.4): 3.4 (the file), 4.3 and 4.4 (drawing), 5.2 and 5.3 (text).
 
 namespace vorpipe {
 namespace {
 
 constexpr double opaque = 0xFF;
 
-/// Objects of a file, whose places are kept for the table at its end.
+/// Writes the objects of a file, and keeps their offsets for the table at its end.
 class PdfFile final : public ByteSink {
  public:
   explicit PdfFile(ByteSink& to) : ByteSink(to.name()), to_(&to) {}
@@ -64,7 +64,7 @@ class PdfFile final : public ByteSink {
 
 void put(Bytes& text, std::string_view more) { text.append(more); }
 
-/// Sets a color, R in the lowest byte, by `rg` (what fills) or `RG` (what strokes).
+/// Sets a color, R in the lowest byte, by `rg` (fill) or `RG` (stroke).
 void printColor(Bytes& text, std::uint32_t rgba, std::string_view operation) {
   const auto channel = [&](int shift) { return (rgba >> shift & 0xFF) / opaque; };
   print(text, FMT_COMPILE("{:.4g} {:.4g} {:.4g} {}\n"), channel(0), channel(8), channel(16), operation);
@@ -82,7 +82,7 @@ void printBox(Bytes& text, double left, double top, double width, double height)
   put(text, " re\n");
 }
 
-/// The way along a short arc to its end.
+/// Appends a short arc up to its end.
 void printArc(Bytes& text, const PixelArc& arc, Point end) {
   for (const Point handle : arc.handles()) {
     printPoint(text, handle);
@@ -107,7 +107,7 @@ void printLines(Bytes& text, const Lines& lines, bool closed) {
   }
 }
 
-/// The names of what drawing refers to: a dot, the font, and an opacity out of 255.
+/// Names of resources for drawing: a dot, the font, and an opacity out of 255.
 constexpr std::string_view dot_name = "/Dot", font_name = "/Font";
 std::string opacityName(std::uint32_t rgba) { return fmt::format("/Alpha{}", rgba >> 24); }
 
@@ -171,7 +171,7 @@ void printText(Bytes& text, const LegendText& line) {
   const double left = line.x - (line.anchor == Anchor::start ? 0
                                 : line.anchor == Anchor::end ? width
                                                              : width / 2);
-  // The page's y goes downward, which letters do not.
+  // The page's y goes downward, but that of letters upward.
   print(text, FMT_COMPILE("BT {} {:.6g} Tf 1 0 0 -1 "), font_name, size);
   printPoint(text, {left, line.baseline});
   put(text, " Tm (");
@@ -208,7 +208,7 @@ Result<void> writeLabels(ByteSink& page, Bytes& text, const VectorPicture& pictu
   return {};
 }
 
-/// What the page shows; its unit is a pixel, and y goes downward.
+/// Writes the page's contents; the unit is a pixel, and y goes downward.
 Result<void> writeContents(ByteSink& page, const VectorPicture& picture, double points) {
   Bytes text;
   print(text, FMT_COMPILE("{0} 0 0 -{0} 0 {1} cm 1 j 1 J\nq\n"), points, points * picture.height());
@@ -233,7 +233,7 @@ Result<void> writeContents(ByteSink& page, const VectorPicture& picture, double 
   return writeAll(page, text);
 }
 
-/// A circle about the origin, of four curves that are as near to it as a quarter of a thousandth.
+/// Appends a circle about the origin, of four curves, exact to a quarter of a thousandth.
 void printCircle(Bytes& text, double radius) {
   constexpr double handle = 0.5522847498;
   const double r = radius, h = handle * radius;
@@ -249,7 +249,7 @@ void printCircle(Bytes& text, double radius) {
   }
 }
 
-/// A dot about the origin, as an object of its own.
+/// Returns a dot about the origin, as an object of its own.
 std::string dotObject(const VectorPicture& picture) {
   Bytes text;
   const auto [radius, rim] = picture.dot();
@@ -258,7 +258,7 @@ std::string dotObject(const VectorPicture& picture) {
     printColor(text, VectorPicture::rim_color, "RG");
     printLength(text, rim, "w");
   }
-  // The line is half inside and half outside.
+  // Half of the line's width is inside, half outside.
   printCircle(text, radius - rim / 2);
   put(text, rim > 0 ? "b\n" : "f\n");
   return fmt::format(
@@ -267,7 +267,7 @@ std::string dotObject(const VectorPicture& picture) {
       -radius - 1, radius + 1, text.size(), std::string_view(text.data(), text.size()));
 }
 
-/// The objects that follow the page's contents are numbered from here.
+/// Numbers of the page, its contents, and the objects after them.
 constexpr int page_object = 3, contents_object = 4, length_object = 5, font_object = 6, dot_object = 7;
 
 std::string pageObject(const VectorPicture& picture, double points) {
@@ -290,7 +290,7 @@ Result<void> writeFile(ByteSink& sink, const VectorPicture& picture) {
   constexpr double points_of_pixel = 0.75, most_points = 14400;
   const double points = std::min(points_of_pixel, most_points / std::max(picture.width(), picture.height()));
   PdfFile file(sink);
-  // The bytes above 127 tell programs that move files that this is no text.
+  // Bytes above 127 show file transfer programs that this is no text.
   auto written = file.write("%PDF-1.4\n%\xE2\xE3\xCF\xD3\n");
   if (written) written = file.add("<< /Type /Catalog /Pages 2 0 R >>");
   if (written) written = file.add(fmt::format("<< /Type /Pages /Kids [{} 0 R] /Count 1 >>", page_object));

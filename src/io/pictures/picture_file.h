@@ -1,4 +1,4 @@
-/// Pictures, and the sites of their pixels, as a file of any known kind.
+/// Writes pictures, and the sites of their pixels, as a file of any known kind.
 #pragma once
 
 #include <string>
@@ -11,7 +11,7 @@
 
 namespace vorpipe {
 
-/// What a picture is written from.
+/// Input for writing a picture.
 struct PictureOutput {
   const Sites& sites;
   const RenderOptions& options;
@@ -24,7 +24,7 @@ struct PictureOutput {
 /// A kind of file for pictures.
 struct PictureFormat {
   std::string_view extension;
-  bool of_shapes;  ///< it is made of cells, and else of pixels
+  bool of_shapes;  ///< consists of cells; otherwise of pixels
   /// The same picture gives the same bytes. Errors: those of siteColors and wrapped() (input), for shapes;
   /// writing failed or memory ran out (device).
   Result<void> (*write)(ByteSink& sink, const PictureOutput& output);

@@ -26,7 +26,7 @@ namespace {
 constexpr std::size_t max_channels = 4;
 constexpr int signature_size = 8;
 
-/// What the callbacks need, and what went wrong.
+/// Data for the callbacks, and what went wrong.
 struct Transfer {
   ByteSink* output = nullptr;
   InputFile* input = nullptr;
@@ -129,8 +129,8 @@ bool decodeHeader(const Handles& handles, Transfer& transfer, int bits) {
   png_set_read_fn(handles.png, &transfer, onRead);
   png_set_sig_bytes(handles.png, signature_size);
 #ifdef PNG_HANDLE_AS_UNKNOWN_SUPPORTED
-  // All but pixels, palette and transparency is passed over: text, for one, may inflate to a thousand times
-  // its size.
+  // Skips everything except pixels, palette and transparency: text, for example, may inflate to a thousand
+  // times its size.
   png_set_keep_unknown_chunks(handles.png, PNG_HANDLE_CHUNK_NEVER, nullptr, -1);
 #endif
   png_read_info(handles.png, handles.info);
@@ -167,14 +167,14 @@ tl::unexpected<Error> readError(const Transfer& transfer, const std::string& pat
   return inputError(fmt::format("{}: is a damaged PNG: {}", path, transfer.message.data()));
 }
 
-/// RGBA, the top row first, each channel of 8 bits or of 16, the high byte first.
+/// RGBA, the top row first; channels of 8 bits, or of 16 with the high byte first.
 struct Pixels {
   int width = 0, height = 0;
   std::vector<png_byte> bytes;
 };
 
-/// Refuses more pixels than the file's bytes can hold, and more than there is memory for: what they become
-/// takes `of_result` bytes each.
+/// Refuses more pixels than the file's bytes can hold or than fit into memory: the result takes `of_result`
+/// bytes per pixel.
 Result<void> checkPixels(const Handles& handles, const InputFile& file, const std::string& path,
                          std::uint64_t of_rows, std::uint64_t of_result) {
   const std::uint64_t width = png_get_image_width(handles.png, handles.info);
@@ -287,7 +287,7 @@ Result<Density> readPngDarkness(const std::string& path) {
     for (double& value : density.values) {
       const auto channel = [&](std::size_t k) { return bytes[2 * k] * 256 + bytes[2 * k + 1]; };
       const auto dark = [&](std::size_t k) { return 65535 - channel(k); };
-      // In whole numbers, so that black is 1 and white 0.
+      // In integers, so that black is exactly 1 and white 0.
       const int darkness = 2126 * dark(0) + 7152 * dark(1) + 722 * dark(2);
       value = darkness / (10000 * 65535.0) * (channel(3) / 65535.0);
       bytes += 2 * max_channels;

@@ -15,7 +15,7 @@ namespace {
 
 constexpr std::uint32_t opaque = 0xFF;
 
-// Few enough for viewers that are slow with long paths, and enough to keep the number of paths small.
+// Few enough for viewers that are slow with long paths, but enough for a small number of paths.
 constexpr std::size_t lines_of_path = 1000;
 
 constexpr std::string_view fonts =
@@ -23,7 +23,7 @@ constexpr std::string_view fonts =
 
 void put(Bytes& text, std::string_view more) { text.append(more); }
 
-/// `#rrggbb` of R in the lowest byte.
+/// Appends `#rrggbb`; R is in the lowest byte.
 void printColor(Bytes& text, std::uint32_t rgba) {
   print(text, FMT_COMPILE("#{:02x}{:02x}{:02x}"), rgba & 0xFF, rgba >> 8 & 0xFF, rgba >> 16 & 0xFF);
 }
@@ -40,7 +40,7 @@ void printLength(Bytes& text, std::string_view name, double pixels) {
   text.push_back('"');
 }
 
-/// The way along an arc of less than half an ellipse to its end.
+/// Appends an arc of less than half an ellipse, up to its end.
 void printArc(Bytes& text, const PixelArc& arc, Point end) {
   text.push_back('A');
   printPoint(text, arc.radii);
@@ -48,7 +48,7 @@ void printArc(Bytes& text, const PixelArc& arc, Point end) {
   printPoint(text, end);
 }
 
-/// The data of a path; `end` is Z where lines are closed.
+/// Appends the data of a path; `end` is Z if lines are closed.
 void printLines(Bytes& text, const Lines& lines, std::string_view end) {
   for (std::size_t k = 0; k < lines.size(); ++k) {
     text.push_back('M');
@@ -163,7 +163,7 @@ Result<void> writeDots(ByteSink& sink, Bytes& text, const VectorPicture& picture
     put(text, "<circle");
     printLength(text, "cx", dot.x);
     printLength(text, "cy", dot.y);
-    // The line is half inside and half outside.
+    // Half of the line's width is inside, half outside.
     printLength(text, "r", radius - rim / 2);
     put(text, "/>\n");
     VORPIPE_TRY(writeIfFull(sink, text));
@@ -185,7 +185,7 @@ void printBox(Bytes& text, const LegendBox& box) {
   put(text, "/>\n");
 }
 
-/// `color` is written unless it is black.
+/// Writes `color` unless it is black.
 void printText(Bytes& text, const LegendText& line, std::uint32_t color) {
   constexpr std::string_view anchors[] = {"start", "middle", "end"};
   put(text, "<text");

@@ -16,8 +16,7 @@
 #include "io/pictures/geo_keys.h"
 
 // TIFF, revision 6.0: section 2 (structure), 14 (differencing predictor); Adobe Photoshop TIFF technical
-// notes for Deflate; OGC GeoTIFF Standard 1.1. A BigTIFF has numbers of 64 bits where offsets and counts
-// stand.
+// notes for Deflate; OGC GeoTIFF Standard 1.1. A BigTIFF has 64-bit offsets and counts.
 
 namespace vorpipe {
 namespace {
@@ -80,7 +79,7 @@ Field fieldOf(Tag tag, std::string text) {
 
 /// The strips of an image, compressed.
 struct Strips {
-  int rows;  ///< of each but the last
+  int rows;  ///< of each except the last
   std::vector<std::string> bytes;
 
   [[nodiscard]] std::uint64_t size() const {
@@ -90,7 +89,7 @@ struct Strips {
   }
 };
 
-/// Rows as differences to the pixel on the left, which are 0 inside of a cell.
+/// Returns rows as differences from the pixel on the left, which are 0 inside a cell.
 std::string differencesIn(std::span<const std::uint32_t> ids, std::size_t width) {
   std::string bytes;
   bytes.reserve(ids.size_bytes());
@@ -116,7 +115,7 @@ Strips compressed(int width, int height, std::span<const std::uint32_t> ids, int
   return strips;
 }
 
-/// Where strips stand in a file, and how long they are.
+/// Adds the offsets and lengths of strips.
 template <class Number>
 void addPlaces(std::vector<Field>& fields, Type type, const Strips& strips, std::uint64_t begin) {
   std::vector<Number> offsets, counts;
@@ -140,7 +139,7 @@ void addGeoreference(std::vector<Field>& fields, const TiffOptions& options) {
   if (!keys.ascii.empty()) fields.push_back(fieldOf(geo_ascii_params, keys.ascii));
 }
 
-/// All fields in the order of their tags; strips stand one after the other from `begin`.
+/// Returns all fields in the order of their tags; strips follow each other from `begin`.
 std::vector<Field> fieldsOf(int width, int height, const Strips& strips, std::uint64_t begin, bool big,
                             const TiffOptions& options) {
   constexpr std::uint16_t uint32_bits = 32, deflate = 8, black_is_zero = 1, one_band = 1, chunky = 1,
@@ -166,7 +165,7 @@ std::vector<Field> fieldsOf(int width, int height, const Strips& strips, std::ui
   return fields;
 }
 
-/// A number that takes 64 bits in a BigTIFF, and 32 else.
+/// Appends a number of 64 bits in a BigTIFF, otherwise 32.
 void appendWide(std::string& bytes, bool big, std::uint64_t number) {
   if (big) {
     appendNumber<order>(bytes, number);
@@ -175,7 +174,7 @@ void appendWide(std::string& bytes, bool big, std::uint64_t number) {
   }
 }
 
-/// The header; the directory follows it at once.
+/// Returns the header; the directory follows immediately.
 std::string headerOf(bool big) {
   constexpr std::uint16_t classic_version = 42, big_version = 43, offset_bytes = 8, zero = 0;
   constexpr std::uint32_t classic_size = 8;
@@ -192,7 +191,7 @@ std::string headerOf(bool big) {
   return header;
 }
 
-/// The directory, which stands at `begin`, and the values that do not fit into it.
+/// Returns the directory, placed at `begin`, and the values that do not fit into it.
 std::string directoryOf(const std::vector<Field>& fields, bool big, std::uint64_t begin) {
   const std::size_t word = big ? 8 : 4;
   std::string directory, values;
@@ -229,7 +228,7 @@ Result<void> writeFile(ByteSink& sink, int width, int height, const Strips& stri
     return header +
            directoryOf(fieldsOf(width, height, strips, strips_begin, big, options), big, header.size());
   };
-  // How long the head is does not depend on what it says.
+  // The length of the head does not depend on its values.
   bool big = false;
   std::uint64_t begin = headOf(big, 0).size();
   if (begin + strips.size() > options.longest_classic) {

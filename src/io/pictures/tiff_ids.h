@@ -1,4 +1,4 @@
-/// Id images as GeoTIFF, which maps are made of.
+/// Id images as GeoTIFF, for maps.
 #pragma once
 
 #include <cstdint>
@@ -11,20 +11,20 @@
 
 namespace vorpipe {
 
-/// What a GeoTIFF says of its pixels besides their values, and how it is made.
+/// Metadata of a GeoTIFF's pixels, and how to write it.
 struct TiffOptions {
   PixelGrid grid;
   CoordinateSystem system{};
-  int threads = 0;  ///< that compress: 0 for all
-  /// A longer file becomes a BigTIFF, as its offsets take 64 bits; less is for tests.
+  int threads = 0;  ///< for compression; 0 for all
+  /// A longer file becomes a BigTIFF, with 64-bit offsets; smaller limits are for tests.
   std::uint64_t longest_classic = 0xFFFFFFFF;
 };
 
 /// Writes width x height ids, the top row first, as a TIFF (revision 6.0) of one band of uint32, compressed
-/// by Deflate with horizontal differences in strips, and with the tags of GeoTIFF 1.1: where pixels lie, and
-/// in what coordinate system, as far as that is known by its EPSG code or made by --project; degrees without
-/// a code are those of WGS 84. no_site is the value of pixels without data. The same ids give the same bytes.
-/// Error (device): writing failed or memory ran out.
+/// by Deflate with horizontal differences in strips, and with the tags of GeoTIFF 1.1: the place of pixels,
+/// and their coordinate system if it has an EPSG code or is made by --project; degrees without a code are
+/// those of WGS 84. no_site is the value of pixels without data. The same ids give the same bytes. Error
+/// (device): writing failed or memory ran out.
 Result<void> writeTiffIds(ByteSink& sink, int width, int height, std::span<const std::uint32_t> ids,
                           const TiffOptions& options);
 

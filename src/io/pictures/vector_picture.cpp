@@ -13,10 +13,10 @@ namespace {
 
 constexpr std::size_t least_vertices = 3;
 
-/// Of arcs: a Bezier curve of this angle is as near to its circle as 1e-6 of the radius.
+/// Longest arc: a Bezier curve of this angle is within 1e-6 of the radius of its circle.
 constexpr double longest_piece = std::numbers::pi / 6;
 
-/// Adds the edges that a cell draws, as lines as long as they are connected.
+/// Adds the edges that a cell draws, joining connected ones into lines.
 template <class Place>
 void addEdges(const Cell& cell, Lines& lines, const Place& place) {
   const CellRings rings = cell.rings();
@@ -86,7 +86,7 @@ std::optional<LegendBox> VectorPicture::boxBelow(const SiteLabel& label) const {
   return LegendBox{label.middle.x - width / 2, label.middle.y - height / 2, width, height, color(label.site)};
 }
 
-/// Sites in places that have a cell have a dot, each position one.
+/// Places one dot at each position of a site that has a cell there.
 Result<void> VectorPicture::placeDots(const Sites& sites, int threads) {
   const Box& domain = options_->domain;
   const bool periodic = options_->periodic != Periodic::none;
@@ -124,8 +124,8 @@ Result<void> VectorPicture::keepInOutline(const Sites& at, std::vector<std::uint
   return {};
 }
 
-/// The square root of the median of how many pixels the cells of sites have, without cells that have hardly
-/// any; 0 if all are such.
+/// Returns the square root of the median pixel count of cells, without cells that have hardly any; 0 if all
+/// are such.
 double VectorPicture::spacingOf(std::span<const std::uint32_t> sites) const {
   constexpr double least_pixels = 0.5;
   std::vector<double> areas;
@@ -159,7 +159,7 @@ void VectorPicture::addArc(const BorderPart& part, Point site, Lines& lines) con
   const int pieces = std::max(1, static_cast<int>(std::ceil(part.angle / longest_piece)));
   const double step = part.angle / pieces;
   for (int k = 0; k < pieces; ++k) {
-    // Downward in pixels.
+    // In pixels, y goes downward.
     const PixelArc arc{center, {corner.x - center.x, center.y - corner.y}, -(begin + k * step), -step};
     lines.addArc(arc, k + 1 < pieces ? arc.at(1) : pixelOf(part.to));
   }

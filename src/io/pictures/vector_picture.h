@@ -1,4 +1,4 @@
-/// What a picture of cells shows, as shapes: all that its writers have in common.
+/// A picture of cells as shapes: the part common to all vector writers.
 #pragma once
 
 #include <algorithm>
@@ -17,8 +17,8 @@
 
 namespace vorpipe {
 
-/// A part of an ellipse, in pixels; angles are those of its circle before that was stretched, and grow from
-/// the right downward.
+/// A part of an ellipse, in pixels; angles are those in the circle before stretching, and grow from the right
+/// downward.
 struct PixelArc {
   Point center, radii;
   double begin, angle;
@@ -27,8 +27,8 @@ struct PixelArc {
     const double a = begin + part * angle;
     return {center.x + radii.x * std::cos(a), center.y + radii.y * std::sin(a)};
   }
-  /// The inner two of the four points of a cubic Bezier curve that has the arc's ends, and its directions
-  /// there (Riskus 2006, "Approximation of a cubic Bezier curve by circular arcs and vice versa").
+  /// Returns the inner two control points of a cubic Bezier curve with the arc's ends and directions (Riskus
+  /// 2006, "Approximation of a cubic Bezier curve by circular arcs and vice versa").
   [[nodiscard]] std::array<Point, 2> handles() const {
     const double length = 4.0 / 3 * std::tan(angle / 4), end = begin + angle;
     const Point first = at(0), last = at(1);
@@ -37,8 +37,8 @@ struct PixelArc {
   }
 };
 
-/// Lines through points, in pixels from the picture's upper left corner, y downward. From a point to the next
-/// they are straight, or arcs.
+/// Lines through points, in pixels from the picture's upper left corner, y downward. Points are joined by
+/// straight segments or arcs.
 class Lines {
  public:
   void clear() {
@@ -46,10 +46,10 @@ class Lines {
     begins_.clear();
     arcs_.clear();
   }
-  /// Begins another line, which has no point yet.
+  /// Begins another line, without points so far.
   void begin() { begins_.push_back(points_.size()); }
   void add(Point point) { points_.push_back(point); }
-  /// Adds the end of an arc that begins at the point before.
+  /// Adds the end of an arc that begins at the previous point.
   void addArc(const PixelArc& arc, Point end) {
     arcs_.push_back({points_.size(), arc});
     points_.push_back(end);
@@ -57,7 +57,7 @@ class Lines {
 
   [[nodiscard]] std::size_t size() const { return begins_.size(); }
   [[nodiscard]] bool empty() const { return begins_.empty(); }
-  /// The arc that ends at point i of line k; null where the line is straight.
+  /// Returns the arc that ends at point i of line k; null if the line is straight there.
   [[nodiscard]] const PixelArc* arcTo(std::size_t k, std::size_t i) const {
     const auto found = std::ranges::lower_bound(arcs_, begins_[k] + i, {}, &ArcTo::point);
     return found != arcs_.end() && found->point == begins_[k] + i ? &found->arc : nullptr;
@@ -78,44 +78,43 @@ class Lines {
 };
 
 /// A picture with the same colors, edges, dual, dots, frame, labels and legend as one in pixels, in the order
-/// in which it is painted: cells, edges, the dual, dots, labels, the legend. Shapes are made one after the
-/// other, when they are asked for.
+/// in which it is painted: cells, edges, the dual, dots, labels, the legend. Makes shapes one at a time, on
+/// request.
 class VectorPicture {
  public:
-  /// Renderers smooth the two sides of an edge apart, so that what is below shines through. A line so wide
-  /// around each cell, in its own color, closes the gap.
+  /// Width of a line around each cell, in the cell's color. It closes a gap: renderers smooth the two sides
+  /// of an edge separately, so that the background shines through.
   static constexpr double seam_width = 0.5;
   static constexpr std::uint32_t rim_color = black;
 
-  /// The picture that `options` draw of `diagram`, the cells of `sites` with Detail::polygons, or those with
-  /// a free surface, which is drawn as arcs. They all outlive it. Errors: those of siteColors and wrapped();
-  /// a size that is none (input); out of memory (device).
+  /// Makes the picture that `options` describe of `diagram`, the cells of `sites` with Detail::polygons, or
+  /// those with a free surface, drawn as arcs. All must outlive it. Errors: those of siteColors and
+  /// wrapped(); an invalid size (input); out of memory (device).
   static Result<VectorPicture> make(const Sites& sites, const Diagram& diagram, const RenderOptions& options,
                                     int threads = 0);
 
   [[nodiscard]] int width() const { return options_->width; }
   [[nodiscard]] int height() const { return options_->height; }
-  /// Where it shows the domain: all but the legend is clipped to that.
+  /// Pixels that show the domain: everything except the legend is clipped to them.
   [[nodiscard]] Box clip() const { return places_.pixels(); }
   [[nodiscard]] bool hasEdges() const { return options_->edges; }
   [[nodiscard]] std::uint32_t color(std::size_t site) const {
     return options_->fill ? colors_.rgba[site] : white;
   }
-  /// Of dots: on white cells white ones would not show.
+  /// Color of dots: white ones would not show on white cells.
   [[nodiscard]] std::uint32_t dotColor() const { return options_->fill ? white : black; }
-  /// The rings that cells end at, and that edges and dots are clipped to, by the rule of even and odd; none
-  /// without an outline.
+  /// Rings that bound the cells, and clip edges and dots by the even-odd rule; none without an outline.
   [[nodiscard]] Lines outline() const;
   [[nodiscard]] const DotSize& dot() const { return dot_; }
-  /// Of edges between cells, and of the dual.
+  /// Width of edges between cells, and of the dual.
   [[nodiscard]] double edgeWidth() const { return options_->edge_width; }
-  /// Of edges along the outline, the outer half of which is clipped away. In pixels they are those of the
-  /// cells that it bounds, and as many beside them as beside other edges.
+  /// Width of edges along the outline, whose outer half is clipped away. As in pixel pictures, they cover the
+  /// border pixels of the cells, and as many beside them as other edges do.
   [[nodiscard]] double outlineWidth() const { return options_->edge_width + 1; }
   [[nodiscard]] const std::optional<Legend>& legend() const { return legend_; }
 
-  /// Calls `use` with the rings of each cell, to be filled by the rule of even and odd: in a periodic domain
-  /// once for each place where the cell shows. Errors: those of `use`.
+  /// Calls `use` with the rings of each cell, to be filled by the even-odd rule; in a periodic domain once
+  /// for each visible copy of the cell. Errors: those of `use`.
   using UseCell = std::function<Result<void>(std::size_t site, const Lines& rings)>;
   Result<void> eachCell(const UseCell& use) const;
 
@@ -123,17 +122,17 @@ class VectorPicture {
   using UseLines = std::function<Result<void>(const Lines& lines)>;
   Result<void> eachEdge(const UseLines& use) const;
 
-  /// Centers.
+  /// Centers of dots.
   [[nodiscard]] std::span<const Point> dots() const { return dots_; }
 
   /// Lines between sites whose cells have a common edge.
   [[nodiscard]] std::span<const Line> dual() const { return dual_; }
 
   [[nodiscard]] std::span<const SiteLabel> labels() const { return labels_; }
-  /// Their height.
+  /// Height of labels.
   [[nodiscard]] double labelSize() const { return options_->label_size; }
   [[nodiscard]] LegendText textOf(const SiteLabel& label) const;
-  /// What is below a label, in the color of its cell: lines of the dual end at sites, where labels are. None
+  /// Background box of a label, in the color of its cell: dual lines end at sites, where the labels are. None
   /// without a dual.
   [[nodiscard]] std::optional<LegendBox> boxBelow(const SiteLabel& label) const;
 
@@ -141,7 +140,7 @@ class VectorPicture {
   VectorPicture(const Sites& sites, const Diagram& diagram, const RenderOptions& options);
   [[nodiscard]] Point pixelOf(Point place) const { return places_.pixelOf(place); }
   Result<void> placeDots(const Sites& sites, int threads);
-  /// Keeps the sites, by index, whose places `at` have a cell.
+  /// Keeps only the sites, by index, whose positions `at` have a cell.
   Result<void> keepInOutline(const Sites& at, std::vector<std::uint32_t>& sites, int threads) const;
   [[nodiscard]] double spacingOf(std::span<const std::uint32_t> sites) const;
 

@@ -1,4 +1,4 @@
-/// Shapes as text, in the ways that SVG and PDF have in common.
+/// Prints shapes as text, in the forms common to SVG and PDF.
 #pragma once
 
 #include <string>
@@ -8,16 +8,16 @@
 
 namespace vorpipe {
 
-/// Appends a length in pixels to the nearest 1e-4, in as few characters as that takes.
+/// Appends a length in pixels to the nearest 1e-4, in as few characters as possible.
 void printPixels(Bytes& bytes, double pixels);
 
 /// Appends x and y, with a space between them.
 void printPoint(Bytes& bytes, Point point);
 
-/// The size of a font like Helvetica, for capital letters of a height.
+/// Returns the size of a font like Helvetica whose capital letters have the given height.
 double fontSize(double capital_height);
 
-/// How wide a text of printable ASCII is in Helvetica, in the unit of the font's size.
+/// Returns the width of printable ASCII text in Helvetica, in the unit of the font size.
 double textWidth(const std::string& text, double font_size);
 
 }  // namespace vorpipe

@@ -9,7 +9,7 @@
 namespace vorpipe {
 namespace {
 
-/// The narrowest type of values of both.
+/// Returns the narrowest type that holds values of both.
 AttributeType typeOf(AttributeType a, AttributeType b) {
   const auto isNumber = [](AttributeType type) {
     return type == AttributeType::integer || type == AttributeType::real;
@@ -31,7 +31,7 @@ std::size_t AttributeColumns::column(std::string_view name) {
 
 std::size_t AttributeColumns::newColumn(std::string_view name) {
   std::string unique(name);
-  // What is taken once stays so: a header of one name, again and again, is no work of its square.
+  // Taken numbers stay taken: a header that repeats one name does not take quadratic work.
   const auto same = by_name_.find(name);
   while (by_name_.contains(unique)) unique = fmt::format("{}_{}", name, same->second.next++);
   by_name_.emplace(unique, Named{columns_.size()});
@@ -49,7 +49,7 @@ void AttributeColumns::set(std::size_t column, AttributeType type, std::string_v
 void AttributeColumns::add(const Value& value, std::string_view text, std::size_t sites) {
   Attribute& attribute = columns_[value.column];
   const AttributeType type = has_values_[value.column] ? typeOf(attribute.type(), value.type) : value.type;
-  // Text is among other JSON from now on.
+  // Earlier text values become JSON strings, since the column now holds other JSON.
   if (type == AttributeType::json && attribute.type() == AttributeType::text)
     attribute = attribute.rewritten(AttributeType::json, jsonString);
   has_values_[value.column] = true;

@@ -1,4 +1,4 @@
-/// Attributes as a file gives them: row by row, where not every row need have all of them.
+/// Collects attributes of a file row by row; a row may lack some of them.
 #pragma once
 
 #include <cstddef>
@@ -16,40 +16,40 @@ namespace vorpipe {
 
 class AttributeColumns {
  public:
-  /// Where they are not kept, names alone are.
+  /// Unless `kept`, keeps only the names.
   explicit AttributeColumns(bool kept) : kept_(kept) {}
 
-  /// The column of that name, which is made where there is none.
+  /// Returns the column of that name; makes it if there is none.
   std::size_t column(std::string_view name);
 
-  /// A column of its own: where the name is taken, it gets a number.
+  /// Makes a new column; appends a number if the name is taken.
   std::size_t newColumn(std::string_view name);
 
-  /// What a column is that has no values in the end.
+  /// Sets the type of a column that ends up without values.
   void setType(std::size_t column, AttributeType type) { columns_[column].setType(type); }
 
-  /// The value of the row that is being read, once for a column and row; else it is missing. `text` as
-  /// Attribute::at has it. A column of several types becomes the narrowest type that holds them all.
+  /// Sets a value of the current row, once per column and row; a value not set is missing. `text` is as in
+  /// Attribute::at. A column of several types becomes the narrowest type that holds them all.
   void set(std::size_t column, AttributeType type, std::string_view text);
 
-  /// The value of the row that is being read, until it ends; none where it is missing.
+  /// Returns a value of the current row, until the row ends; none if it is missing.
   [[nodiscard]] std::optional<std::string_view> rowValue(std::string_view name) const;
   [[nodiscard]] bool has(std::string_view name) const { return by_name_.contains(name); }
 
-  /// Ends the row, which is that of `sites` sites; 0 leaves it out.
+  /// Ends the row, which applies to `sites` sites; 0 leaves it out.
   void endRow(std::size_t sites = 1);
 
-  /// Leaves out all rows up to now; their columns stay.
+  /// Leaves out all rows so far; their columns stay.
   void clearRows();
 
-  /// Memory for as many sites: each column has an entry for each of them in the end.
+  /// Bytes of memory for `sites` sites: in the end, each column has an entry for each site.
   [[nodiscard]] std::uint64_t bytes(std::uint64_t sites) const;
 
   [[nodiscard]] bool kept() const { return kept_; }
   [[nodiscard]] std::size_t size() const { return columns_.size(); }
   [[nodiscard]] const std::string& name(std::size_t column) const { return columns_[column].name(); }
 
-  /// All columns, each as long as there are sites. None where they are not kept.
+  /// Returns all columns, each as long as there are sites. None unless they are kept.
   std::vector<Attribute> take();
 
  private:

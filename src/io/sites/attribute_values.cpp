@@ -12,7 +12,7 @@
 namespace vorpipe {
 namespace {
 
-/// What values of a type must be, for messages.
+/// Describes, for messages, what values of a type must be.
 std::string_view nameOf(AttributeType type) {
   switch (type) {
     case AttributeType::integer:

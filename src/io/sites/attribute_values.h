@@ -6,8 +6,8 @@
 
 namespace vorpipe {
 
-/// Whether all values of an attribute read as its type, so that files can have them. Errors (input), which
-/// name the attribute and the site: one does not; its name or a text is not UTF-8.
+/// Checks that all values of an attribute read as its type, so that files can hold them. Errors (input),
+/// which name the attribute and the site: one does not; its name or a text is not UTF-8.
 Result<void> checkAttribute(const Attribute& attribute);
 
 }  // namespace vorpipe

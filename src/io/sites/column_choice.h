@@ -12,15 +12,15 @@
 
 namespace vorpipe {
 
-/// The number, from 1, that a text is; none where it is a name.
+/// Returns the number, from 1, that a text is; none if it is a name.
 std::optional<std::size_t> columnNumber(std::string_view text);
 
-/// Of columns without names, those of x, y and perhaps of weights, from 0. Errors (input), beginning with
-/// `name`: they are not two or three different numbers from 1 to `count`.
+/// Returns the unnamed columns of x, y and possibly weights, from 0. Errors (input), beginning with `name`:
+/// they are not two or three different numbers from 1 to `count`.
 Result<std::vector<std::size_t>> numberedColumns(std::span<const std::string> columns, std::size_t count,
                                                  std::string_view name);
 
-/// The line about three columns of which nothing says what they are.
+/// The note about three unnamed columns.
 inline constexpr std::string_view third_is_weight =
     "the third column is taken as weights; --columns 1,2 leaves it out";
 

@@ -13,13 +13,13 @@ std::string withPoint(std::string_view text) {
   return number;
 }
 
-/// Whether the comma may stand after thousands: three digits follow.
+/// Whether the comma may be a thousands separator: three digits follow.
 bool mayBeThousands(std::string_view text) {
   constexpr std::size_t digits = 3;
   return text.size() - text.find(',') - 1 == digits;
 }
 
-/// Whether all values are numbers, of which some have a comma, and none a point.
+/// Whether all values are numbers, some with a comma and none with a point.
 bool haveDecimalCommas(const Attribute& attribute, DecimalMark mark) {
   bool any = false, thousands = true;
   for (std::size_t site = 0; site < attribute.size(); ++site) {

@@ -15,10 +15,10 @@ namespace vorpipe {
 /// Text of fields as UTF-8.
 class CsvText {
  public:
-  /// That of a field of the last record; valid until the next call.
+  /// Returns a field of the last record; valid until the next call.
   std::string_view of(const CsvReader& csv, std::size_t field);
 
-  /// The first line with a field that was not UTF-8; 0: there is none.
+  /// The first line with a field that was not UTF-8; 0 if there is none.
   [[nodiscard]] std::uint64_t otherLine() const { return other_line_; }
 
  private:
@@ -26,9 +26,9 @@ class CsvText {
   std::uint64_t other_line_ = 0;
 };
 
-/// Numbers with decimal commas as JSON has them, where all values are numbers. `mark` is what the file's
-/// coordinates have before their fractions; where they have none, values such as 1,234 alone stay text: that
-/// may be a thousand.
+/// Converts numbers with decimal commas to JSON numbers if all values are numbers. `mark` is the decimal mark
+/// of the file's coordinates. If they have none, an attribute of only values like 1,234 stays text: commas
+/// may mark thousands.
 Attribute withDecimalPoints(Attribute attribute, DecimalMark mark);
 
 }  // namespace vorpipe

@@ -48,7 +48,7 @@ bool isGeometry(const std::string& name) {
   return std::ranges::find(geometry_names, lowerCase(name)) != geometry_names.end();
 }
 
-/// The only column of which `is` holds.
+/// Returns the only column for which `is` holds.
 template <class Is>
 tl::expected<Column, ColumnProblem> onlyColumn(std::span<const std::string> names, const Is& is) {
   Column found;
@@ -74,7 +74,7 @@ std::string headerText(std::span<const std::string> names) {
   return inQuotes(fmt::format("{}", fmt::join(names, ",")));
 }
 
-/// A column by number or name, exact before any case.
+/// Returns a column by number or name; an exact match precedes one in another case.
 tl::expected<std::size_t, ColumnProblem> chosenColumn(std::span<const std::string> names,
                                                       const std::string& text) {
   if (const auto number = columnNumber(text)) {
@@ -98,7 +98,7 @@ CoordinateKind kindOf(const Synonym* x, const Synonym* y) {
   return kind_of(x) == kind_of(y) ? kind_of(x) : CoordinateKind::unknown;
 }
 
-/// x, y and perhaps a weight; or a column of WKT, which is one alone.
+/// Finds x, y and possibly a weight; or a single column of WKT.
 Found chosenColumns(std::span<const std::string> names, std::span<const std::string> chosen) {
   std::vector<std::size_t> found;
   for (const std::string& text : chosen) {
@@ -129,7 +129,7 @@ Found chosenColumns(std::span<const std::string> names, std::span<const std::str
   return columns;
 }
 
-/// Sets weight, as the header tells.
+/// Sets weight by the header.
 tl::expected<void, ColumnProblem> findWeight(std::span<const std::string> names, CsvColumns& columns) {
   const auto weight =
       onlyColumn(names, [](const std::string& name) { return weightNamed(name, true).has_value(); });
@@ -165,7 +165,7 @@ tl::expected<void, ColumnProblem> findPlaces(std::span<const std::string> names,
                              headerText(names), !*x ? "x" : "y"));
 }
 
-/// What is not called x, y, weight or radius, and is taken for it.
+/// Notes the columns with other names that are taken for x, y, weight or radius.
 std::string noteOf(std::span<const std::string> names, const CsvColumns& columns) {
   std::vector<std::string> called, meaning;
   const auto add = [&](std::size_t column, std::string_view is) {

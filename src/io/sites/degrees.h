@@ -9,16 +9,16 @@
 
 namespace vorpipe {
 
-/// Whether `system` says so; or, where nothing does, whether all sites lie within +-180 and +-90, and reach
-/// in x below -90 and above 90.
+/// Whether `system` is degrees. If it is unknown: whether all sites lie within +-180 and +-90, and their x
+/// reach below -90 and above 90.
 bool looksLikeDegrees(const Sites& sites, const CoordinateSystem& system);
 
-/// What helps where a box from `west` to `east` may be meant across the antimeridian, in words that continue
+/// Returns advice if a box from `west` to `east` may be meant across the antimeridian, in words that continue
 /// a refusal; else nothing.
 std::string hintAcrossAntimeridian(double west, double east);
 
-/// Takes back that `system` is one of degrees where a site reaches beyond 360 or 90 of them. Returns what to
-/// say of it, in words that continue the name of the sites; empty: nothing was changed.
+/// Withdraws that `system` is degrees if a site exceeds 360 or 90 of them. Returns a note that continues the
+/// name of the sites; empty if nothing changed.
 std::string_view settleDegrees(const Sites& sites, CoordinateSystem& system);
 
 }  // namespace vorpipe

@@ -1,4 +1,4 @@
-/// Densities out of a file of any known kind.
+/// Reads densities from a file of any known kind.
 #pragma once
 
 #include <optional>
@@ -10,15 +10,15 @@
 namespace vorpipe {
 
 struct DensityFile {
-  Density density{};          ///< with a box where a file beside says where it lies
-  CoordinateSystem system{};  ///< of that box, as a file beside says
+  Density density{};          ///< with a box if a file beside it gives its place
+  CoordinateSystem system{};  ///< of that box, from a file beside it
 };
 
-/// Reads a density by the path's extension, the top row first: .png, whose darkness it is (readPngDarkness),
-/// as stippling wants it; or .npy, an array of shape (H, W) of numbers that areNumbers() takes. The pixels
-/// lie in `box`; without a box placeBeside() says where. Errors: a path or data that is wrong, a negative
-/// element or one that is not finite, those of placeBeside() (input); reading failed or memory ran out
-/// (device).
+/// Reads a density by the path's extension, the top row first: .png, whose darkness is the density
+/// (readPngDarkness), as for stippling; or .npy, an array of shape (H, W) of numbers that areNumbers() takes.
+/// The pixels lie in `box`; without a box, placeBeside() finds their place. Errors: a path or data that is
+/// wrong, a negative element or one that is not finite, those of placeBeside() (input); reading failed or
+/// memory ran out (device).
 Result<DensityFile> readDensity(const std::string& path, const std::optional<Box>& box = {});
 
 }  // namespace vorpipe

@@ -17,7 +17,7 @@ double areaOf(const Box& box) {
   return std::max(0.0, box.xmax - box.xmin) * std::max(0.0, box.ymax - box.ymin);
 }
 
-/// Notes pixels that are wider than high, or higher than wide, by more than rounding to whole ones may do.
+/// Notes pixels that are not square by more than rounding to whole pixels may cause.
 void noteStretched(const Density& density, const std::string& about, bool is_file, PlacedSites& placed,
                    const DomainWords& words) {
   constexpr double slight = 0.02;
@@ -32,14 +32,14 @@ void noteStretched(const Density& density, const std::string& about, bool is_fil
       ratio > 1 ? "wide as high" : "high as wide", words.density_box, file));
 }
 
-/// The part of a box that another one covers; no number where the box has no area.
+/// Returns the fraction of a box that another covers; NaN if the box has no area.
 double coveredPart(const Box& box, const Box& by) {
   const Box common{std::max(box.xmin, by.xmin), std::max(box.ymin, by.ymin), std::min(box.xmax, by.xmax),
                    std::min(box.ymax, by.ymax)};
   return areaOf(common) / areaOf(box);
 }
 
-/// Notes what of the domain the pixels leave empty, and refuses those that lie elsewhere.
+/// Notes the part of the domain that the pixels leave empty; refuses pixels that lie elsewhere.
 Result<void> checkCovered(const Density& density, const std::string& about, PlacedSites& placed) {
   constexpr double percent = 100, rounding = 1e-9;
   const Box &box = *density.box, &domain = placed.domain;
@@ -55,8 +55,7 @@ Result<void> checkCovered(const Density& density, const std::string& about, Plac
   return {};
 }
 
-/// Whether a box, of which nothing says what it is in, is one in degrees and not in the plane that their
-/// sites were taken to.
+/// Whether a box of unknown system may be in degrees and not in the plane that its sites were projected to.
 bool mayBeDegrees(const Box& box, const PlacedSites& placed) {
   constexpr double least = 0.01;
   const auto [west, east] = std::ranges::minmax(placed.longitudes);

@@ -1,4 +1,4 @@
-/// Where a density lies, and where its domain does.
+/// Relates the place of a density to the domain.
 #pragma once
 
 #include <string>
@@ -9,10 +9,10 @@
 
 namespace vorpipe {
 
-/// Looks at a density beside the domain that was found, and adds notes: that pixels without a place are
-/// stretched, that those with one leave a part of the domain empty. `name` is the file's; empty: the caller's
-/// own array. Errors (input), after the word for the density: its place is in another system than the sites,
-/// or in one that --project leaves; nothing of the domain lies there.
+/// Compares a density's place with the domain found, and adds notes: pixels without a place are stretched;
+/// those with one leave part of the domain empty. `name` is the file's; empty: the caller's own array. Errors
+/// (input), after the word for the density: its place is in another system than the sites, or in one that
+/// --project leaves; no part of the domain lies there.
 Result<void> placeDensity(const DensityFile& density, const std::string& name, PlacedSites& placed,
                           const DomainWords& words = {});
 

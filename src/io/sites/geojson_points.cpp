@@ -15,7 +15,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// Different properties of all features, each of which is a column.
+/// Most different properties of all features; each is a column.
 constexpr std::size_t most_properties = 2000;
 
 std::string wrong(const std::string& path, std::string_view what) {
@@ -26,7 +26,7 @@ std::string inside(const std::string& path, std::string_view member) {
   return path.empty() ? std::string(member) : fmt::format("{}.{}", path, member);
 }
 
-/// A geometry that is no point, as messages call it.
+/// Names a geometry that is no point, for messages.
 std::string named(const std::string& type) {
   constexpr std::array<std::string_view, 4> known = {"LineString", "MultiLineString", "Polygon",
                                                      "MultiPolygon"};

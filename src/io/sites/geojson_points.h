@@ -1,4 +1,4 @@
-/// Sites out of GeoJSON that was parsed: one feature or geometry after the other.
+/// Takes sites from parsed GeoJSON, one feature or geometry after the other.
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>
@@ -21,7 +21,7 @@ class GeoJsonPoints {
   explicit GeoJsonPoints(TableBuilder& table) : table_(table) {}
 
   /// Adds the sites of a Feature, or of a geometry: a Point, a MultiPoint, or a GeometryCollection of them.
-  /// `path` is where it stands.
+  /// `path` is its path in the file.
   GeoJsonProblem add(const nlohmann::ordered_json& object, const std::string& path);
 
  private:
@@ -39,11 +39,11 @@ class GeoJsonPoints {
   TableBuilder& table_;
   std::vector<Point> points_;     ///< of the feature
   std::optional<double> weight_;  ///< of the feature
-  std::string weight_name_;       ///< of the feature; empty where it has none
+  std::string weight_name_;       ///< of the feature; empty if it has none
   bool weight_noted_ = false;
 };
 
-/// The system that a member "crs" names, as GeoJSON of 2008 had it; WGS 84 where it is null.
+/// Returns the system that a member "crs" names, as in GeoJSON of 2008; WGS 84 if it is null.
 tl::expected<CoordinateSystem, std::string> systemOfCrs(const nlohmann::ordered_json& crs);
 
 }  // namespace vorpipe

@@ -26,14 +26,14 @@ namespace {
 
 constexpr double infinite = std::numeric_limits<double>::infinity();
 
-/// Whether the elements are sites as they stand.
+/// Whether the elements can be used as sites in place.
 bool areSites(const NpyHeader& header) {
   const bool is_real = header.kind == 'f' && (header.size == sizeof(float) || header.size == sizeof(double));
   const bool is_native = header.big_endian == (std::endian::native == std::endian::big);
   return is_real && is_native && header.shape.size() == 2 && header.shape[1] == 2;
 }
 
-/// What one pass over some sites finds out.
+/// Results of one pass over some sites.
 struct Seen {
   Box box{infinite, infinite, -infinite, -infinite};
   std::uint64_t unusable = std::numeric_limits<std::uint64_t>::max();  ///< the first that is not finite
@@ -56,7 +56,7 @@ Seen lookAt(const SitesInPlace& sites, std::size_t begin, std::size_t end) {
   return seen;
 }
 
-/// A mapped file; null where the system refuses.
+/// Maps a file; null if the system refuses.
 void* mapFile(const std::string& path, std::uint64_t bytes) {
   const int descriptor = ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
   if (descriptor < 0) return nullptr;
@@ -94,7 +94,7 @@ Result<std::optional<MappedSites>> MappedSites::map(const std::string& path, int
   if (!file->size()) return std::nullopt;
   const std::uint64_t bytes = *file->size();
   const auto header = readNpyHeader(*file);
-  // What was packed has no size any more.
+  // A packed file has no known size by now.
   if (!file->size()) return std::nullopt;
   if (!header) return tl::unexpected(header.error());
   if (!areSites(*header)) return std::nullopt;
@@ -107,7 +107,7 @@ Result<std::optional<MappedSites>> MappedSites::map(const std::string& path, int
   if (begin == nullptr) return systemError(ErrorCode::device, path, "cannot be mapped into memory", errno);
   MappedSites mapped(begin, bytes);
   const std::size_t size = header->size;
-  // The header's reader has found that nothing follows the elements.
+  // The header's reader has checked that nothing follows the elements.
   const auto* first = static_cast<const std::byte*>(begin) + (bytes - 2 * count * size);
   const bool are_floats = size == sizeof(float);
   const std::size_t stride = header->fortran_order ? size : 2 * size;

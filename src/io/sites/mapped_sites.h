@@ -1,4 +1,4 @@
-/// Sites of a .npy file that is mapped into memory, not read.
+/// Sites of a .npy file that is mapped into memory instead of read.
 #pragma once
 
 #include <optional>
@@ -11,9 +11,9 @@ namespace vorpipe {
 
 class MappedSites {
  public:
-  /// Maps a file of float32 or float64 (N, 2) in this machine's byte order, in any order of its axes; nothing
-  /// where it is something else, which readSites may know: packed, of other columns, a pipe. Errors (input):
-  /// the file cannot be read, or is no whole .npy file; it has no sites or too many; one is not finite.
+  /// Maps a file of float32 or float64 (N, 2) in this machine's byte order, in any order of its axes; none if
+  /// it is something else that readSites may accept: packed, other columns, a pipe. Errors (input): the file
+  /// cannot be read, or is no whole .npy file; it has no sites or too many; one is not finite.
   static Result<std::optional<MappedSites>> map(const std::string& path, int threads);
   MappedSites(MappedSites&& other) noexcept;
   MappedSites& operator=(MappedSites&& other) noexcept;

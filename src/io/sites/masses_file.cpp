@@ -23,7 +23,7 @@ tl::expected<double, std::string> massOf(double number, std::string_view text, Z
 
 bool isName(std::string_view line) {
   const std::string lower = lowerCase(line);
-  // These were meant to be numbers, and are told of as such.
+  // These were meant as numbers, and errors report them as such.
   if (lower == "nan" || lower == "inf" || lower == "infinity") return false;
   return (lower[0] >= 'a' && lower[0] <= 'z') || lower[0] == '_' || lower[0] == '"';
 }
@@ -31,7 +31,7 @@ bool isName(std::string_view line) {
 }  // namespace
 
 tl::expected<void, std::string> checkMass(std::string_view text, ZeroMass zero) {
-  // Whether a comma is one before a fraction shows when all are read.
+  // Whether a comma is a decimal comma shows only when all are read.
   return parseDecimal(text)
       .and_then([&](const Decimal& number) { return massOf(number.value, trimmed(text), zero); })
       .map([](double) {});

@@ -45,7 +45,8 @@ Result<OutlineFile> readOutlineKind(const OutlineKind& kind, const std::string& 
   return kind.read(std::move(*file));
 }
 
-/// What GeoJSON calls degrees, since it knows nothing else, may be the meters of a plane.
+/// Whether GeoJSON's coordinates may be degrees: the format has no others, but files may hold meters of a
+/// plane.
 bool mayBeDegrees(const Outline& outline) {
   constexpr double most_x = 360, most_y = 90;
   return std::ranges::all_of(

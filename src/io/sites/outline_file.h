@@ -1,4 +1,4 @@
-/// Outlines out of a file of any known kind.
+/// Reads outlines from a file of any known kind.
 #pragma once
 
 #include <string>
@@ -17,14 +17,14 @@ struct OutlineFile {
 /// The extensions of all kinds, in the order in which messages name them.
 std::vector<std::string> outlineExtensions();
 
-/// Reads at least one polygon by the path's extension, and that before .gz: .geojson or .json is GeoJSON (RFC
-/// 7946), a Polygon or MultiPolygon, or a Feature, FeatureCollection or GeometryCollection of nothing else;
-/// .geojsonl, .geojsons or .ndjson has one of them on each line; .wkt is text like POLYGON ((...)) or
-/// MULTIPOLYGON (((...))), one or several of them, or a GEOMETRYCOLLECTION; .gpkg a GeoPackage, of which
-/// `layer` names the layer; empty: its only one of polygons. Of a position x and y are read. Whether rings
-/// cross is not looked at. The system is what the file says, or a .prj beside it. Errors: a path or data that
-/// is wrong, with file, line and column, or in GeoJSON the path to the value (input); reading failed or
-/// memory ran out (device).
+/// Reads at least one polygon, by the path's extension (the one before .gz, if any): .geojson or .json is
+/// GeoJSON (RFC 7946), a Polygon or MultiPolygon, or a Feature, FeatureCollection or GeometryCollection of
+/// nothing else; .geojsonl, .geojsons or .ndjson has one of them on each line; .wkt is text like POLYGON
+/// ((...)) or MULTIPOLYGON (((...))), one or several of them, or a GEOMETRYCOLLECTION; .gpkg a GeoPackage, of
+/// which `layer` names the layer; empty: its only one of polygons. Reads only x and y of a position. Does not
+/// check whether rings cross. The system is from the file or a .prj beside it. Errors: a path or data that is
+/// wrong, with file, line and column, or in GeoJSON the path to the value (input); reading failed or memory
+/// ran out (device).
 Result<OutlineFile> readOutline(const std::string& path, const std::string& layer = {});
 
 }  // namespace vorpipe

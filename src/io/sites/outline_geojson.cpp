@@ -15,7 +15,7 @@ namespace {
 
 using json = nlohmann::ordered_json;
 
-/// What is wrong, and the path to it.
+/// An error and the path to it.
 using Problem = std::optional<std::string>;
 
 class GeoJson {
@@ -38,7 +38,7 @@ class GeoJson {
       return object(at, its_path, depth + 1);
     };
     if (name == "Feature") {
-      // A feature may have no place, as the cells that are empty.
+      // A feature may have no geometry, such as an empty cell.
       const auto geometry = value.find("geometry");
       if (geometry != value.end() && geometry->is_null()) return {};
       return member(value, path, "geometry", inner);

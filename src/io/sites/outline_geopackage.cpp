@@ -13,7 +13,7 @@
 namespace vorpipe {
 namespace {
 
-/// Adds the polygons of the row at hand. The error is what is wrong with them.
+/// Adds the polygons of the current row. The error states what is wrong with them.
 tl::expected<void, std::string> addRow(const FeatureLayer& layer, Outline& outline) {
   const auto geometry = layer.geometry();
   if (!geometry) return {};

@@ -1,4 +1,4 @@
-/// Outlines out of one kind of file each. Errors (input) begin with the file's name.
+/// Reads outlines from one kind of file each. Errors (input) begin with the file's name.
 #pragma once
 
 #include <string>
@@ -13,14 +13,14 @@ Result<OutlineFile> readGeoJsonOutline(InputFile file);
 /// One object on each line.
 Result<OutlineFile> readGeoJsonLinesOutline(InputFile file);
 Result<OutlineFile> readWktOutline(InputFile file);
-/// A layer, which is of a database and no stream; empty: the only one of polygons.
+/// Reads a layer of a database, which is no stream; empty: the only one of polygons.
 Result<OutlineFile> readGeoPackageOutline(const std::string& path, const std::string& layer);
 
-/// Adds a ring as a file has it, its first point repeated at its end, to the polygon that was begun last. The
-/// error continues "FILE:LINE:COLUMN: ".
+/// Adds a ring as in a file, with its first point repeated at its end, to the polygon begun last. The error
+/// continues "FILE:LINE:COLUMN: ".
 tl::expected<void, std::string> addRing(std::vector<Point> points, Outline& outline);
 
-/// Ends a polygon; the rings since the last one are its own.
+/// Ends a polygon, which consists of the rings since the last one.
 void endPolygon(Outline& outline);
 
 }  // namespace vorpipe

@@ -59,7 +59,7 @@ class Wkt {
 
   WktTokens tokens_;
   Outline outline_;
-  std::optional<std::int64_t> system_;  ///< the code that stands before geometries
+  std::optional<std::int64_t> system_;  ///< the code before geometries
 };
 
 }  // namespace

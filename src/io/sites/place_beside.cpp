@@ -24,7 +24,7 @@ constexpr std::size_t place_numbers = 6;
 
 using PlaceNumbers = std::array<double, place_numbers>;
 
-/// Pixels in the terms of a world file, but for the corner, which is that of the upper left one.
+/// Pixels in the terms of a world file, except that the corner is that of the upper left one.
 struct Pixels {
   double across, turn_x, turn_y, down, west, north;
 };
@@ -68,12 +68,12 @@ Result<PlaceNumbers> numbersIn(const std::string& path) {
   return inputError(fmt::format("{}: has {} numbers; a world file has {}", path, found, place_numbers));
 }
 
-/// What stands in the first element of this name, which has nothing but text; nothing: there is none.
+/// Returns the content of the first element of this name, which holds only text; none if there is none.
 std::optional<std::string_view> textIn(std::string_view xml, std::string_view name) {
   const std::string begin = fmt::format("<{}", name), end = fmt::format("</{}>", name);
   for (std::size_t at = xml.find(begin); at != std::string_view::npos; at = xml.find(begin, at + 1)) {
     std::string_view rest = xml.substr(at + begin.size());
-    // Another name may begin likewise.
+    // Another name may begin the same way.
     if (rest.empty() || std::string_view(" \t\r\n>").find(rest.front()) == std::string_view::npos) continue;
     rest = rest.substr(std::min(rest.find('>'), rest.size() - 1) + 1);
     return rest.substr(0, rest.find(end));
@@ -81,7 +81,7 @@ std::optional<std::string_view> textIn(std::string_view xml, std::string_view na
   return std::nullopt;
 }
 
-/// The text that XML has with its marks in other words.
+/// Replaces XML's escapes by their characters.
 std::string plainOf(std::string_view xml) {
   constexpr std::array<std::pair<std::string_view, char>, 5> marks = {
       {{"&quot;", '"'}, {"&apos;", '\''}, {"&lt;", '<'}, {"&gt;", '>'}, {"&amp;", '&'}}};
@@ -100,7 +100,7 @@ Result<PlaceNumbers> transformIn(std::string_view text, const std::string& name)
   PlaceNumbers numbers{};
   for (double& number : numbers) {
     const std::size_t comma = std::min(text.find(','), text.size());
-    // Its writer puts blanks and new lines around them.
+    // GDAL puts blanks and line ends around them.
     std::string_view part = text.substr(0, comma);
     part = part.substr(std::min(part.find_first_not_of(" \t\r\n"), part.size()));
     part = part.substr(0, part.find_last_not_of(" \t\r\n") + 1);
@@ -112,7 +112,7 @@ Result<PlaceNumbers> transformIn(std::string_view text, const std::string& name)
   return numbers;
 }
 
-/// Takes what GDAL says of the place, where nothing else did, and of the system.
+/// Takes the place from GDAL's file, if nothing else gave it, and the system.
 Result<void> takeAux(const std::string& path, int width, int height, PixelPlace& place) {
   constexpr std::size_t longest = std::size_t{1} << 24;  // bytes: it has histograms and tables as well
   const std::string name = path + ".aux.xml";

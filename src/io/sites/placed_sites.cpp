@@ -1,4 +1,4 @@
-// What becomes of sites once they have their domain: some are left out, and all go back to degrees.
+// Later steps on placed sites: leaving some out, and converting all back to degrees.
 #include <cstddef>
 #include <utility>
 #include <vector>

@@ -14,7 +14,7 @@
 namespace vorpipe {
 namespace {
 
-/// What is asked for, of which sites, in whose words.
+/// The settings, the sites, and the caller's words.
 struct Request {
   const DomainSettings& settings;
   PlacedSites& placed;
@@ -23,7 +23,7 @@ struct Request {
   void note(std::string text) const { placed.notes.push_back(std::move(text)); }
 };
 
-/// What is wrong with a margin, whatever the sites are.
+/// Checks the margin, whatever the sites are.
 Result<void> checkMargin(const Request& request) {
   const auto& [settings, placed, words] = request;
   if (!settings.margin) return {};
@@ -42,7 +42,7 @@ Result<void> checkMargin(const Request& request) {
   return {};
 }
 
-/// What a domain that repeats itself cannot be.
+/// Refuses settings that a periodic domain cannot have.
 Result<void> checkPeriod(const Request& request) {
   const auto& [settings, placed, words] = request;
   if (placed.periodic == Periodic::none) return {};
@@ -60,12 +60,12 @@ Result<void> checkPeriod(const Request& request) {
   return {};
 }
 
-/// The outline in messages.
+/// Returns the outline's name for messages.
 std::string nameOfOutline(const Request& request) {
   return request.settings.outline_name.empty() ? "the outline" : request.settings.outline_name;
 }
 
-/// Refuses sites and an outline whose coordinates mean something else.
+/// Refuses sites and an outline in different systems.
 Result<void> checkSystems(const Request& request) {
   const auto& [settings, placed, words] = request;
   if (settings.outline.empty() || placed.from == SitesFrom::generator) return {};
@@ -88,7 +88,7 @@ Result<void> checkSystems(const Request& request) {
                                 hasName(of_sites) ? nameOf(of_sites) : "EPSG:4326"));
 }
 
-/// What contradicts itself, wherever the sites are.
+/// Refuses settings that contradict each other, whatever the sites are.
 Result<void> checkSettings(const Request& request) {
   const auto& [settings, placed, words] = request;
   VORPIPE_TRY(checkSystems(request));
@@ -111,7 +111,7 @@ Result<void> checkSettings(const Request& request) {
   return {};
 }
 
-/// The error after the caller's word, which stands for the subject's name.
+/// Returns the error with the caller's word in place of the subject's name.
 tl::unexpected<Error> renamed(std::string_view word, Error error) {
   const std::string name = fmt::format("{}: ", nameOf(error.subject));
   if (error.subject != Subject::none && error.message.starts_with(name)) error.message.erase(0, name.size());
@@ -119,13 +119,13 @@ tl::unexpected<Error> renamed(std::string_view word, Error error) {
   return tl::unexpected(std::move(error));
 }
 
-/// An outline that `mend(repair)` dissolves and repairs; what it does to one of the caller's is noted.
+/// Returns an outline that `mend(repair)` dissolves and repairs; notes changes to one of the caller's.
 template <class Mend>
 Result<Outline> mendedBy(const Mend& mend, const Request& request) {
   const auto& [settings, placed, words] = request;
   auto result = mend(settings.repair);
   if (!result) {
-    // A ring of a thousand points may cross itself in a million, and trying that is not asked for.
+    // A ring of a thousand points may have a million self-crossings, and nobody requested the attempt.
     constexpr std::size_t few_points = 200;
     const std::size_t points = settings.repair ? 0 : settings.outline.points.size();
     if (points > few_points || (points > 0 && mend(true))) {
@@ -143,7 +143,7 @@ Result<Outline> mendedBy(const Mend& mend, const Request& request) {
   return std::move(result->outline);
 }
 
-/// The domain that has an outline.
+/// Makes the outline the domain.
 void takeOutline(PlacedSites& placed, Outline outline) {
   placed.outline = std::move(outline);
   placed.domain = boxOf(placed.outline.points);
@@ -154,12 +154,12 @@ tl::unexpected<Error> tooFarApart(const Request& request) {
       fmt::format("{}: the sites reach too far for a default, name what to draw", request.words.domain));
 }
 
-/// Whether the sites stand in degrees, as far as can be told.
+/// Whether the sites appear to be in degrees.
 bool areInDegrees(const PlacedSites& placed) {
   return placed.from != SitesFrom::generator && looksLikeDegrees(placed.sites, placed.system);
 }
 
-/// Cuts what a margin adds to sites in degrees beyond the poles: `ymin` and `ymax` are how far it reaches.
+/// Clips a margin around sites in degrees at the poles: `ymin` and `ymax` are its extent.
 void endAtPoles(const Request& request, std::string_view what, double& ymin, double& ymax) {
   constexpr double pole = 90;
   if ((ymin >= -pole && ymax <= pole) || !areInDegrees(request.placed)) return;
@@ -170,7 +170,7 @@ void endAtPoles(const Request& request, std::string_view what, double& ymin, dou
   ymax = std::min(ymax, pole);
 }
 
-/// A convex ring without what lies beyond two parallels, which leave some of it.
+/// Clips a convex ring to two parallels, which leave some of it.
 std::vector<Point> between(double ymin, double ymax, std::vector<Point> ring) {
   for (const auto& [side, up] : {std::pair(ymin, 1.0), std::pair(-ymax, -1.0)}) {
     std::vector<Point> kept;
@@ -205,7 +205,7 @@ Result<void> takeHull(const Request& request, const Margin& margin) {
   return {};
 }
 
-/// The domain that the sites themselves have.
+/// Takes the domain of the sites themselves.
 Result<void> takeDomainOfSites(const Request& request) {
   const auto& [settings, placed, words] = request;
   const Margin margin = settings.margin.value_or(Margin{settings.hull ? 0 : Margin{}.value});
@@ -221,13 +221,13 @@ Result<void> takeDomainOfSites(const Request& request) {
   return {};
 }
 
-/// The projection around the center that is named, or amid the domain or the sites.
+/// Returns the projection around the given center, or the middle of the domain or the sites.
 Result<Projection> projectionFor(const Request& request, const Outline& degrees) {
   if (const auto& center = request.settings.project->center) return Projection::around(*center);
   return degrees.empty() ? projectionAmid(request.placed.sites) : projectionAmid(degrees);
 }
 
-/// Refuses a plane that does not hold the domain, and notes where it can be trusted little.
+/// Refuses a plane that does not hold the domain; notes where it is less reliable.
 Result<void> checkReach(const Request& request) {
   constexpr double far = 30, percent = 100;
   const auto& [settings, placed, words] = request;
@@ -248,14 +248,14 @@ Result<void> checkReach(const Request& request) {
   return {};
 }
 
-/// The outline in degrees that is asked for; empty where there is none.
+/// Returns the requested outline in degrees; empty if there is none.
 Result<Outline> outlineInDegrees(const Request& request) {
   if (!request.settings.box) return request.settings.outline;
   auto outline = outlineOfDegrees(*request.settings.box);
   return outline ? outline : renamed(request.words.domain, std::move(outline.error()));
 }
 
-/// Takes the sites to the plane, and keeps where they were.
+/// Projects the sites to the plane, and keeps their degrees.
 Result<void> projectSites(const Request& request, const Projection& projection) {
   const auto& [settings, placed, words] = request;
   auto sites = toPlane(projection, placed.sites);
@@ -273,7 +273,7 @@ Result<void> projectSites(const Request& request, const Projection& projection) 
   return {};
 }
 
-/// Takes sites and domain to the plane.
+/// Projects sites and domain to the plane.
 Result<void> project(const Request& request) {
   const auto degrees = outlineInDegrees(request);
   if (!degrees) return tl::unexpected(degrees.error());
@@ -287,7 +287,7 @@ Result<void> project(const Request& request) {
   return {};
 }
 
-/// Says so where cells are to be those of a plane of degrees.
+/// Adds a note if cells will be computed in a plane of degrees.
 void noteDegrees(const Request& request) {
   const auto& [settings, placed, words] = request;
   if (settings.project || !areInDegrees(placed)) return;
@@ -297,14 +297,14 @@ void noteDegrees(const Request& request) {
                   words.sites, words.project_amid));
 }
 
-/// The box of sites that may lie on a line.
+/// Returns the box of sites, which may lie on a line.
 Box boxOfSites(const std::vector<double>& x, const std::vector<double>& y) {
   const auto [west, east] = std::ranges::minmax(x);
   const auto [south, north] = std::ranges::minmax(y);
   return {west, south, east, north};
 }
 
-/// Says so where no site lies in the domain that is named: they take part, but seldom is that meant.
+/// Adds a note if no site lies in the given domain: such sites take part, but that is seldom intended.
 void noteNowhere(const Request& request) {
   const auto& [settings, placed, words] = request;
   if (placed.from == SitesFrom::generator || (settings.outline.empty() && !settings.box)) return;
@@ -329,7 +329,7 @@ void noteNowhere(const Request& request) {
                            boxText(named), words.sites, boxText(all)));
 }
 
-/// Finds the domain; what contradicts itself was refused before.
+/// Finds the domain; contradictory settings were refused before.
 Result<void> foundDomain(const Request& request) {
   const auto& [settings, placed, words] = request;
   if (settings.project) {

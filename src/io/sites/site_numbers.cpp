@@ -19,7 +19,7 @@ namespace {
 
 std::string sitesText(std::uint64_t count) { return fmt::format("{} site{}", count, count == 1 ? "" : "s"); }
 
-/// The value that a line holds, of which comment and blanks are taken off.
+/// Returns the value of a line; `text` is the line without comment and blanks.
 Result<double> valueIn(const LineReader& lines, std::string_view line, std::string_view text,
                        const NumbersKind& kind) {
   const auto column = static_cast<std::size_t>(text.data() - line.data()) + 1;

@@ -1,4 +1,4 @@
-/// A number for each site, from a file apart from the sites.
+/// Reads a number for each site from a separate file.
 #pragma once
 
 #include <cstdint>
@@ -11,12 +11,13 @@
 
 namespace vorpipe {
 
-/// What the numbers of a file are.
+/// Meaning of a file's numbers.
 struct NumbersKind {
   std::string_view one, many;  ///< "weight", "weights", for messages
-  /// Whether the first line of a text is not a number but says what the numbers are.
+  /// Whether the first line of a text is a header that names the numbers, not a number.
   std::function<bool(std::string_view line)> header;
-  /// The value that a finite number stands for. The error is what is wrong with it, which `text` says.
+  /// Converts a finite number to its value. The error states what is wrong with it; `text` is the number as
+  /// written.
   std::function<tl::expected<double, std::string>(double number, std::string_view text)> value;
 };
 

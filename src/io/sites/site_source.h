@@ -1,4 +1,4 @@
-/// What `--sites` names: a generator or a file.
+/// Sites that `--sites` names: a generator or a file.
 #pragma once
 
 #include <cstdint>
@@ -12,14 +12,14 @@
 
 namespace vorpipe {
 
-/// A pattern as its name asks for it.
+/// A pattern with its parameters.
 struct Generator {
   Pattern pattern;
   std::uint64_t count, seed;
 };
 
-/// Its sites, all over the box; over the unit square where there is none, or one whose sides are not finite
-/// and above 0, which its user refuses.
+/// Returns the generator's sites, all over the box. Uses the unit square without a box, or if its sides are
+/// not finite and above 0, which the user of the box refuses.
 Sites sitesOf(const Generator& generator, const std::optional<Box>& box);
 
 struct SiteSource {
@@ -30,13 +30,12 @@ struct SiteSource {
 /// The patterns that loadSites takes, in the order in which messages name them.
 std::vector<std::string_view> patternNames();
 
-/// The N that `spec` asks a generator for; none where it names a file or is wrong.
+/// Returns the N that `spec` asks a generator for; none if it names a file or is wrong.
 std::optional<std::uint64_t> generatedCount(std::string_view spec);
 
-/// Reads or generates the sites of `spec`: PATTERN:N (random, square, hex, jitter, clusters, circle; N
-/// sites) in the box, or what readSites takes, with its options. A file of such a name is meant by
-/// ./PATTERN:N. Errors: those of readSites, N is not a number from 1 to max_sites (input), memory ran out
-/// (device).
+/// Reads or generates the sites of `spec`: PATTERN:N (random, square, hex, jitter, clusters, circle; N sites)
+/// in the box, or what readSites takes, with its options. For a file of such a name write ./PATTERN:N.
+/// Errors: those of readSites, N is not a number from 1 to max_sites (input), memory ran out (device).
 Result<SiteSource> loadSites(const std::string& spec, std::uint64_t seed, const ReadOptions& options = {},
                              const std::optional<Box>& box = {});
 

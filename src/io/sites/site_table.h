@@ -1,4 +1,4 @@
-/// Sites as a file has them, with all that it says of them.
+/// Sites of a file, with all their data in it.
 #pragma once
 
 #include <cstdint>
@@ -14,24 +14,24 @@
 
 namespace vorpipe {
 
-/// An attribute that each row needs a value of, as it needs a place.
+/// An attribute that each row must have a value of, just as a place.
 struct NeededAttribute {
   std::string name;
   std::function<tl::expected<void, std::string>(std::string_view)> check;  ///< what is wrong with a value
 };
 
-/// How a file with sites is read, where it does not say so itself.
+/// How to read a file with sites, if the file does not define it.
 struct ReadOptions {
-  /// The kind of file by its extension, without the dot: "csv", "geojson". Empty: by the path's own; of
-  /// standard input "csv".
+  /// The kind of file by its extension, without the dot: "csv", "geojson". Empty: the path's own; "csv" for
+  /// standard input.
   std::string format{};
-  /// X,Y or X,Y,W: names in any case, or numbers from 1. One name: a column of WKT points. Empty: as the
-  /// header says.
+  /// X,Y or X,Y,W: names in any case, or numbers from 1. One name: a column of WKT points. Empty: as in the
+  /// header.
   std::vector<std::string> columns{};
   std::string layer{};        ///< of a GeoPackage; empty: its only one with points
   bool skip_missing = false;  ///< leaves out rows without a place, or with an empty weight, and counts them
   bool attributes = true;     ///< whether attributes are kept
-  std::optional<NeededAttribute> needed{};  ///< if there is one of that name, which is kept
+  std::optional<NeededAttribute> needed{};  ///< if there is one of that name; it is kept
 };
 
 struct SiteTable {
@@ -39,7 +39,7 @@ struct SiteTable {
   std::vector<Attribute> attributes{};  ///< in the file's order, each as long as the sites
   CoordinateSystem system{};
   std::uint64_t skipped = 0;         ///< rows that were left out
-  std::vector<std::string> notes{};  ///< what was reinterpreted or ignored: a line each, which names the file
+  std::vector<std::string> notes{};  ///< what was reinterpreted or ignored: a line each, with the file's name
 };
 
 }  // namespace vorpipe

@@ -46,7 +46,7 @@ class CsvSites {
   }
 
  private:
-  /// The header, or the first row where there is none.
+  /// Reads the header, or the first row if there is none.
   Result<void> readFirst() {
     const auto places = placesWithoutHeader(options_.columns);
     const bool header = !places || !isNumber(places->first) || !isNumber(places->second);
@@ -69,8 +69,8 @@ class CsvSites {
     return header ? Result<void>() : readRow();
   }
 
-  /// Reads the lines that follow as far as they are two numbers and nothing else, as nearly all of such files
-  /// are: a tenth of the time that fields take one by one.
+  /// Reads the following lines as long as they are just two numbers, as nearly all lines of such files. This
+  /// takes a tenth of the time of reading field by field.
   Result<void> readPairs() {
     for (;;) {
       const auto lines = csv_.wholeLines();
@@ -96,7 +96,7 @@ class CsvSites {
     }
   }
 
-  /// The end of a line that is two finite numbers with a comma between them; null where it is not.
+  /// Returns the end of a line that is two finite numbers with a comma between them; null if it is not.
   static const char* pairIn(const char* line, const char* last, std::array<double, 2>& pair) {
     const auto first = std::from_chars(line, last, pair[0]);
     if (first.ec != std::errc() || first.ptr == last || *first.ptr != ',') return nullptr;
@@ -111,7 +111,7 @@ class CsvSites {
     return column < csv_.fields() && numberIn(csv_.field(column)).has_value();
   }
 
-  /// A comma may be a decimal comma where it does not separate fields.
+  /// A comma may be a decimal comma unless it separates fields.
   [[nodiscard]] tl::expected<Decimal, std::string> numberIn(std::string_view text) const {
     if (csv_.separator() != ',') return parseDecimal(text);
     return parseNumber(text).map([](double value) { return Decimal{value, DecimalMark::none}; });
@@ -236,7 +236,7 @@ class CsvSites {
   std::vector<std::string> names_;
   std::vector<AttributeOf> attributes_;
   bool are_pairs_ = false;  ///< rows are x and y alone, and lines end with LF
-  std::size_t needed_ = 0;  ///< the column of the attribute that is needed
+  std::size_t needed_ = 0;  ///< the column of the needed attribute
   CsvText text_;
   DecimalMark mark_ = DecimalMark::none;  ///< of the numbers so far
   std::uint64_t mark_line_ = 0;

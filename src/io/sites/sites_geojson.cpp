@@ -19,7 +19,7 @@ class Stream {
  public:
   Stream(JsonBytes& bytes, GeoJsonPoints& points) : bytes_(bytes), points_(points) {}
 
-  // As JsonBuilder calls them.
+  // Called by JsonBuilder.
   bool isList(std::string_view member) {
     const bool list = member == "features" || member == "geometries";
     if (list && !list_.empty()) bytes_.stop(bytes_.errorAt(0, "is a second list of features or geometries"));
@@ -31,7 +31,7 @@ class Stream {
     if (problem) bytes_.stop(inputError(fmt::format("{}: {}", bytes_.name(), *problem)));
   }
 
-  /// The name of the list that was taken; empty where there was none.
+  /// Name of the list taken; empty if there was none.
   [[nodiscard]] const std::string& list() const { return list_; }
 
  private:
@@ -41,7 +41,7 @@ class Stream {
   std::uint64_t count_ = 0;
 };
 
-/// The top object, of which `list` was taken already. What is wrong with it, if there is anything.
+/// Adds the top object, whose `list` was already taken. Returns what is wrong with it, if anything.
 GeoJsonProblem addTop(const Json& top, const std::string& list, GeoJsonPoints& points, TableBuilder& table) {
   table.system() = wgs84();
   if (top.is_object() && top.contains("crs")) {

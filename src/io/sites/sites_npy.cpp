@@ -27,10 +27,10 @@ Result<void> readElements(InputFile& file, const NpyHeader& header, const std::v
                           Sites& sites) {
   const std::array<std::vector<double>*, 3> into = {&sites.x, &sites.y, &sites.weight};
   const std::uint64_t row_count = header.shape[0], column_count = header.shape[1];
-  // By column of the file: which of the site_numbers it is; their number where it is none.
+  // For each column of the file: its index in site_numbers; their count if it is none.
   std::vector<std::size_t> use(column_count, site_numbers.size());
   for (std::size_t k = 0; k < columns.size(); ++k) use[columns[k]] = k;
-  // Row and column by counting: a division for each element costs more than reading it.
+  // Counts row and column: a division per element costs more than reading it.
   std::uint64_t row = 0, column = 0;
   const auto take = [&](std::uint64_t, auto number) -> Result<void> {
     const auto value = static_cast<double>(number);
@@ -52,7 +52,7 @@ Result<void> readElements(InputFile& file, const NpyHeader& header, const std::v
   return eachNumber(file, header, row_count * column_count, take);
 }
 
-/// The columns of x, y and perhaps weight. Without a choice the shape tells.
+/// The columns of x, y and perhaps weight. Without a choice, the shape determines them.
 Result<std::vector<std::size_t>> columnsOf(const NpyHeader& header, const ReadOptions& options,
                                            const std::string& name) {
   const auto& shape = header.shape;

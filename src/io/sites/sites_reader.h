@@ -1,5 +1,5 @@
-/// Sites out of one kind of file each, from an open file. Errors: what is wrong with the data, with
-/// file, line and column (input); reading failed or memory ran out (device).
+/// Reads sites from an open file of one kind each. Errors: what is wrong with the data, with file, line and
+/// column (input); reading failed or memory ran out (device).
 #pragma once
 
 #include <array>
@@ -11,11 +11,11 @@
 
 namespace vorpipe {
 
-/// What a row of numbers alone has of a site, in their order.
+/// The values of a site in a row of only numbers, in order.
 inline constexpr std::array<std::string_view, 3> site_numbers = {"x", "y", "weight"};
 
-/// A table with a header that names its columns, or of numbers alone. The first line tells what separates
-/// fields.
+/// A table with a header that names its columns, or of only numbers. The first line determines the field
+/// separator.
 Result<SiteTable> readCsvSites(InputFile file, const ReadOptions& options);
 
 /// The same, separated by tabs.
@@ -29,17 +29,17 @@ Result<SiteTable> readTextSites(InputFile file, const ReadOptions& options);
 /// areNumbers() takes.
 Result<SiteTable> readNpySites(InputFile file, const ReadOptions& options);
 
-/// GeoJSON (RFC 7946) of points: features in a collection or one, or geometries. It is not kept as a whole.
+/// GeoJSON (RFC 7946) of points: features, in a collection or single, or geometries. The whole is not kept in
+/// memory.
 Result<SiteTable> readGeoJsonSites(InputFile file, const ReadOptions& options);
 
-/// GeoJSON's features, or geometries, one on a line (RFC 8142, which puts a byte 0x1E before each; or
-/// NDJSON).
+/// GeoJSON features or geometries, one per line (RFC 8142, which puts a byte 0x1E before each; or NDJSON).
 Result<SiteTable> readGeoJsonLines(InputFile file, const ReadOptions& options);
 
 /// POINT and MULTIPOINT in well-known text, one after the other.
 Result<SiteTable> readWktSites(InputFile file, const ReadOptions& options);
 
-/// A layer with points of a GeoPackage, which is a database and no stream.
+/// A layer of points of a GeoPackage, which is a database and no stream.
 Result<SiteTable> readGeoPackageSites(const std::string& path, const ReadOptions& options);
 
 }  // namespace vorpipe

@@ -21,9 +21,9 @@
 namespace vorpipe {
 namespace {
 
-/// Fields are separated by blanks or by one comma with blanks around it: "1, ,2" has an empty field. Where a
-/// line has both, as "1,5 2,5" has, nothing tells which commas are decimal: the column where that shows is
-/// returned, counted from 1.
+/// Fields are separated by blanks or by one comma with blanks around it: "1, ,2" has an empty field. If a
+/// line has both, such as "1,5 2,5", it is unknown which commas are decimal. Returns the column where that
+/// shows, counted from 1.
 std::optional<std::size_t> split(std::string_view line, std::vector<std::string_view>& fields) {
   fields.clear();
   const char* const begin = line.data();
@@ -46,7 +46,7 @@ std::optional<std::size_t> split(std::string_view line, std::vector<std::string_
   return std::nullopt;
 }
 
-/// What writers of numbers have for what is none.
+/// Whether a field is a common spelling of a number that is not finite.
 bool isNotFinite(std::string_view field) {
   const std::string word = lowerCase(field.substr(field.starts_with('-') || field.starts_with('+') ? 1 : 0));
   return word == "nan" || word == "inf" || word == "infinity";
@@ -80,7 +80,7 @@ class TextSites {
            });
   }
 
-  /// What a header tells of all rows.
+  /// Takes from a header what applies to all rows.
   Result<void> readHeader() {
     const std::vector<std::string> names(fields_.begin(), fields_.end());
     auto columns = namedColumns(names, options_.columns);
@@ -97,7 +97,7 @@ class TextSites {
     return {};
   }
 
-  /// What the first row tells of all.
+  /// Takes from the first row what applies to all.
   Result<void> readFirst() {
     count_ = fields_.size();
     if (options_.columns.empty()) {
@@ -113,7 +113,7 @@ class TextSites {
     auto columns = numberedColumns(options_.columns, count_, lines_.name());
     if (!columns) return tl::unexpected(std::move(columns.error()));
     columns_ = std::move(*columns);
-    // What is left out by number needs no note.
+    // Columns left out by number need no note.
     for (std::size_t k = 0; k < count_ && options_.attributes; ++k) {
       if (std::ranges::find(columns_, k) != columns_.end()) continue;
       attributes_.emplace_back(k, table_.attributes().newColumn(fmt::format("column_{}", k + 1)));

@@ -11,7 +11,7 @@
 namespace vorpipe {
 namespace {
 
-/// All geometries, each a row.
+/// Takes all geometries, each as a row.
 WktProblem takeAll(WktTokens& tokens, TableBuilder& table) {
   std::optional<std::int64_t> system;
   while (!tokens.atEnd()) {

@@ -16,7 +16,7 @@
 namespace vorpipe {
 namespace {
 
-/// The first names, and how many more there are.
+/// Lists the first names, and the number of the others.
 std::string listed(const AttributeColumns& columns) {
   constexpr std::size_t most = 5;
   std::vector<std::string_view> names;
@@ -27,8 +27,8 @@ std::string listed(const AttributeColumns& columns) {
 
 }  // namespace
 
-/// Whether twice as many sites as there are would fit into memory: a small file may hold very many, where it
-/// is packed, or where rows have different attributes, each of which is a column.
+/// Checks that twice the present sites fit into memory. A small file may need much if it is packed, or if its
+/// rows have different attributes, each of which is a column.
 RowProblem TableBuilder::checkRoom() {
   const Sites& sites = table_.sites;
   checked_ = 2 * std::max(checked_, sites.size());
@@ -39,7 +39,7 @@ RowProblem TableBuilder::checkRoom() {
   return room.error().message.substr(name_.size() + 2);
 }
 
-/// What is wrong with the value that a row needs.
+/// Returns what is wrong with a row's needed value.
 RowProblem TableBuilder::checkNeeded(std::string_view value) {
   const std::string column = fmt::format(" (column {})", printable(needed_->name));
   refused_needed_ = true;
@@ -52,7 +52,7 @@ RowProblem TableBuilder::checkNeeded(std::string_view value) {
   return right ? RowProblem{} : right.error() + column;
 }
 
-/// Leaves out all rows up to now, which lack what a later one has.
+/// Leaves out all rows so far, which lack an attribute that a later one has.
 void TableBuilder::leaveOutRows() {
   table_.skipped += rows_;
   rows_ = 0;

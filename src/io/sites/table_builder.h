@@ -1,4 +1,4 @@
-/// A SiteTable, row by row.
+/// Builds a SiteTable row by row.
 #pragma once
 
 #include <cstdint>
@@ -24,31 +24,31 @@ class TableBuilder {
         needed_(options.needed),
         attributes_(options.attributes) {}
 
-  /// Of the row that addRow or addMissing ends.
+  /// Attributes of the row that addRow or addMissing ends.
   AttributeColumns& attributes() { return attributes_; }
   CoordinateSystem& system() { return table_.system; }
   [[nodiscard]] const std::string& name() const { return name_; }
   [[nodiscard]] bool skipsMissing() const { return skip_missing_; }
 
-  /// Ends a row: each point is a site, with the row's weight and attributes. A row has a weight if those
-  /// before have one, and the attribute that is needed, once one had it.
+  /// Ends a row: each point is a site, with the row's weight and attributes. A row must have a weight if
+  /// those before have one, and the needed attribute once a row had it.
   RowProblem addRow(std::span<const Point> points, std::optional<double> weight);
 
-  /// Whether what addRow refused was the value of the attribute that is needed.
+  /// Whether addRow refused the value of the needed attribute.
   [[nodiscard]] bool refusedNeeded() const { return refused_needed_; }
 
-  /// Ends a row that lacks something: `what` is wrong, unless such rows are to be left out.
+  /// Ends a row that lacks something; returns `what` as a problem unless such rows are left out.
   RowProblem addMissing(std::string_view what);
 
-  /// The same for a field of which isMissingValue holds.
+  /// The same for a field for which isMissingValue holds.
   RowProblem addMissingValue(std::string_view field);
 
-  /// "FILE: what" is said once.
+  /// Adds the note "FILE: what", once.
   void note(std::string_view what);
-  /// Positions have more than x and y.
+  /// Notes that positions have more than x and y.
   void noteHeights() { heights_ = true; }
 
-  /// The table; notes say what was left out. Call once.
+  /// Returns the table; notes list what was left out. Call once.
   SiteTable finish();
 
  private:
@@ -64,7 +64,7 @@ class TableBuilder {
   SiteTable table_{};
   std::uint64_t rows_ = 0;
   std::size_t checked_ = std::size_t{1}
-                         << 12;  ///< as many sites have room; checked again when there are more
+                         << 12;  ///< sites known to have room; checked again when there are more
   bool heights_ = false;
 };
 

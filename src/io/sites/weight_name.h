@@ -1,4 +1,4 @@
-/// What columns and properties of weights are called, and what they hold.
+/// Names of columns and properties with weights, and their meaning.
 #pragma once
 
 #include <cstdint>
@@ -15,16 +15,16 @@ enum class WeightKind : std::uint8_t {
   radius,  ///< its square is the weight
 };
 
-/// What messages say that it is.
+/// Name of a kind in messages.
 constexpr std::string_view meaningOf(WeightKind kind) {
   return kind == WeightKind::weight ? "weight" : "radius, whose square is the weight";
 }
 
-/// What weight or radius, in any case, stands for; w and r as well where `letters` has it so.
+/// Returns the kind that "weight" or "radius", in any case, names; also w and r if `letters` is set.
 std::optional<WeightKind> weightNamed(std::string_view name, bool letters);
 
-/// The weight that a number is. The error is what is wrong with it, which `text` says: a radius is negative,
-/// or its square is no double.
+/// Returns the weight that a number stands for. The error states what is wrong with it, quoting `text`: a
+/// radius is negative, or its square is no double.
 tl::expected<double, std::string> weightOf(WeightKind kind, double number, std::string_view text);
 
 }  // namespace vorpipe

@@ -44,7 +44,7 @@ Result<void> writeWeights(ByteSink& sink, const std::vector<double>& weights, co
 }
 
 std::vector<double> randomWeights(double low, double high, std::uint64_t count, std::uint64_t seed) {
-  // Not the generator's stream, of which weights would repeat the coordinates.
+  // Not the generator's stream, from which weights would repeat the coordinates.
   constexpr std::uint64_t own_stream = 0x9E3779B97F4A7C15u;
   std::mt19937_64 random(seed ^ own_stream);
   std::vector<double> weights(count);

@@ -10,9 +10,9 @@
 namespace vorpipe {
 
 struct WktPoints {
-  std::vector<Point> points;             ///< none where it is EMPTY
+  std::vector<Point> points;             ///< none if it is EMPTY
   bool others = false;                   ///< whether positions have more than x and y
-  std::optional<std::int64_t> system{};  ///< the code that stands before it
+  std::optional<std::int64_t> system{};  ///< the code before it
 };
 
 /// Takes one POINT or MULTIPOINT.

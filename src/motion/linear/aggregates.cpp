@@ -13,14 +13,13 @@ class Finder {
   Finder(Level& level, float strength, std::size_t begin, std::size_t end)
       : level_(level), strength2_(strength * strength), begin_(begin), end_(end) {}
 
-  /// Returns how many there are, which are numbered from 0.
+  /// Returns the number of aggregates, which are numbered from 0.
   std::uint32_t find() {
     for (auto i = begin_; i < end_; ++i) level_.aggregate[i] = no_aggregate;
     for (auto i = begin_; i < end_; ++i) {
       if (level_.aggregate[i] == no_aggregate && isRoot(i)) takeAround(i);
     }
-    // All choose among the aggregates as they are by now, so that a row which joins one draws no other after
-    // it.
+    // All rows choose among the present aggregates, so that a joining row does not attract others.
     joining_.clear();
     for (auto i = begin_; i < end_; ++i) {
       if (level_.aggregate[i] == no_aggregate && !isLeftToSweeps(i)) joining_.push_back({i, nearest(i)});
@@ -70,7 +69,7 @@ class Finder {
     });
     ++count_;
   }
-  /// None, where no coupling is a good part of all: a site among very many.
+  /// Returns none if no coupling is a good part of the total: a site among very many.
   [[nodiscard]] std::uint32_t nearest(std::size_t i) const {
     float most = 0.05f * level_.diagonal[i];
     auto nearest = no_aggregate;

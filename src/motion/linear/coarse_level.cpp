@@ -9,13 +9,13 @@
 namespace vorpipe::moving {
 namespace {
 
-/// Rows of the coarse level that the rows of one block of the fine level become.
+/// Rows of the coarse level made from the rows of one block of the fine level.
 struct Made {
   std::vector<std::uint32_t> columns;
   std::vector<float> coupling;
 };
 
-/// The rows of a block, aggregate by aggregate.
+/// The rows of a block, grouped by aggregate.
 class Members {
  public:
   Members(const Level& fine, std::size_t begin, std::size_t end, std::uint32_t first, std::uint32_t last)
@@ -42,8 +42,8 @@ class Members {
   std::uint32_t first_;
 };
 
-/// Adds up what the rows of an aggregate are coupled to. Returns their extras, among which are couplings to
-/// rows that have no aggregate.
+/// Sums the couplings of an aggregate's rows. Returns their extras, including couplings to rows without an
+/// aggregate.
 double addUp(const Level& fine, std::uint32_t aggregate, std::span<const std::uint32_t> members,
              RowSum& sum) {
   sum.clear();
@@ -63,7 +63,7 @@ double addUp(const Level& fine, std::uint32_t aggregate, std::span<const std::ui
   return extra;
 }
 
-/// Row i of a level, in three parts; where they begin is counted from the start of what its block makes.
+/// Stores row i of a level in three parts; their offsets count from the start of the block's output.
 void putRow(const RowSum& sum, std::size_t i, double extra, Made& made, Level& level) {
   double diagonal = level.extra[i] = static_cast<float>(extra);
   const auto put = [&](const auto& belongs) {

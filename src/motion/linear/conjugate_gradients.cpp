@@ -14,7 +14,7 @@ double normOf(std::span<const double> values, int threads) {
 
 std::uint64_t ConjugateGradients::improve(const Laplacian& matrix, Multigrid& multigrid, double least,
                                           int threads, std::vector<double>& r, std::vector<double>& x) {
-  // Iterations in which the least residual so far must be halved: hundreds where a multigrid fits badly.
+  // Number of iterations in which the least residual so far must halve: hundreds if a multigrid fits badly.
   constexpr std::uint64_t patience = 100;
   const std::size_t size = x.size();
   direction_.assign(size, 0);

@@ -10,7 +10,7 @@
 
 namespace vorpipe::moving {
 
-/// Row i of the matrix times x, by differences: constants leave nothing.
+/// Row i of the matrix times x, computed from differences, so that constants cancel exactly.
 inline double imageAt(const Laplacian& matrix, const std::vector<double>& x, std::size_t i) {
   double sum = matrix.extra.empty() ? 0 : matrix.extra[i] * x[i];
   for (auto k = matrix.offsets[i]; k < matrix.offsets[i + 1]; ++k) {
@@ -22,13 +22,11 @@ inline double imageAt(const Laplacian& matrix, const std::vector<double>& x, std
 /// The root of the sum of squares.
 double normOf(std::span<const double> values, int threads);
 
-/// In the form that allows for a preconditioner that is not linear (Notay 2000, "Flexible conjugate
-/// gradients").
+/// The form that allows a nonlinear preconditioner (Notay 2000, "Flexible conjugate gradients").
 class ConjugateGradients {
  public:
-  /// Adds to x an approximate solution of L d = r, and takes what that solves from r, as far as rounding lets
-  /// the recurrence know. Ends at |r| <= least, or where it gets no further. Returns the number of
-  /// iterations.
+  /// Adds to x an approximate solution of L d = r and updates the residual r, up to the recurrence's
+  /// rounding. Ends at |r| <= least, or when it makes no more progress. Returns the number of iterations.
   std::uint64_t improve(const Laplacian& matrix, Multigrid& multigrid, double least, int threads,
                         std::vector<double>& r, std::vector<double>& x);
 

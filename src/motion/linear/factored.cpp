@@ -10,7 +10,7 @@ namespace {
 using Matrix = Eigen::SparseMatrix<double>;
 using Factors = Eigen::SimplicialLDLT<Matrix, Eigen::Lower>;
 
-/// One row of each singular part, with the greatest sum of couplings: x is 0 there.
+/// Marks one row of each singular part, that with the greatest sum of couplings: x is 0 there.
 std::vector<char> heldRows(const Laplacian& matrix, const SingularParts& singular) {
   std::vector<double> greatest(singular.count(), -1);
   std::vector<std::size_t> row(singular.count());
@@ -26,7 +26,7 @@ std::vector<char> heldRows(const Laplacian& matrix, const SingularParts& singula
   return held;
 }
 
-/// The lower triangle without the rows that are held, which are those of the unit matrix.
+/// Returns the lower triangle, with the held rows replaced by those of the unit matrix.
 Matrix triangleOf(const Laplacian& matrix, const std::vector<char>& held) {
   std::vector<Eigen::Triplet<double, int>> entries;
   entries.reserve(matrix.columns.size() / 2 + matrix.rows());
@@ -68,8 +68,8 @@ void Factored::factor(const Laplacian& matrix, const SingularParts& singular) {
   std::vector<int> starts(triangle.outerIndexPtr(), triangle.outerIndexPtr() + triangle.outerSize() + 1);
   std::vector<int> inner(triangle.innerIndexPtr(), triangle.innerIndexPtr() + triangle.nonZeros());
   if (starts != state.starts || inner != state.inner || state.factors == nullptr) {
-    // Arrays of Eigen 3.4 that change their size free what they have first: where there is no memory for
-    // more, they free it once again in the end. Those of new factors have nothing.
+    // When arrays of Eigen 3.4 change their size, they free their memory first. If there is no memory for
+    // more, they free it again at the end. Arrays of new factors have none.
     auto factors = std::make_unique<Factors>();
     factors->analyzePattern(triangle);
     state.factors = std::move(factors);

@@ -1,4 +1,4 @@
-/// Solves a system by factors of its matrix.
+/// Solves a system by factorization of its matrix.
 #pragma once
 
 #include <memory>
@@ -10,7 +10,7 @@
 
 namespace vorpipe::moving {
 
-/// L D L^T of a matrix, with columns in an order of least degree.
+/// L D L^T factors of a matrix, with columns in a minimum degree order.
 class Factored {
  public:
   Factored();
@@ -18,10 +18,10 @@ class Factored {
   Factored& operator=(Factored&&) noexcept;
   ~Factored();
 
-  /// What depends on the pattern alone is kept, where this one is that of the matrix before.
+  /// Factors a matrix. Reuses what depends on the pattern alone, if the pattern is that of the last matrix.
   void factor(const Laplacian& matrix, const SingularParts& singular);
 
-  /// Finds x with L x = b. In a singular part b has the mean 0, and of x a constant is not determined.
+  /// Finds x with L x = b. In a singular part b has the mean 0, and x is determined only up to a constant.
   void solve(std::span<const double> b, std::vector<double>& x) const;
 
  private:

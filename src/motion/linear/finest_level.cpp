@@ -8,7 +8,7 @@
 namespace vorpipe::moving {
 namespace {
 
-/// Sets how many couplings each row has that are not 0. Returns the greatest number of the matrix.
+/// Counts the nonzero couplings of each row. Returns the greatest number of the matrix.
 double countCouplings(const Laplacian& matrix, int threads, std::vector<std::uint32_t>& counts) {
   counts.assign(matrix.rows() + 1, 0);
   const auto greatest = byBlocks<double>(matrix.rows(), threads, [&](std::size_t begin, std::size_t end) {
@@ -36,7 +36,7 @@ struct Unit {
   }
 };
 
-/// Row i, in three parts.
+/// Copies row i, in three parts.
 void takeRow(const Laplacian& matrix, std::size_t i, Unit unit, Level& level) {
   const auto block = blockOf(i);
   std::uint32_t before = 0, other = 0;

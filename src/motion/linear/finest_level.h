@@ -6,8 +6,8 @@
 
 namespace vorpipe::moving {
 
-/// Takes a matrix over, in units of its greatest coupling or extra. What is less than single precision holds
-/// stays above 0, so that parts of the graph stay connected.
+/// Copies a matrix in units of its greatest coupling or extra. Values too small for single precision stay
+/// above 0, so that parts of the graph stay connected.
 void takeMatrix(const Laplacian& matrix, int threads, Level& level);
 
 }  // namespace vorpipe::moving

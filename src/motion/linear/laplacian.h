@@ -1,4 +1,4 @@
-/// The matrix of a graph whose edges have weights: how the masses of cells answer to their weights.
+/// The matrix of a graph with weighted edges: the derivative of cell masses with respect to weights.
 #pragma once
 
 #include <cstdint>
@@ -7,8 +7,8 @@
 namespace vorpipe::moving {
 
 /// Symmetric, and positive semidefinite. Row i has -coupling[k] in column columns[k] for k from offsets[i] to
-/// offsets[i + 1] - 1, in any order, never its own column, and one column perhaps several times; on the
-/// diagonal stands the sum of these couplings and extra[i]. Couplings and extras are 0 or more.
+/// offsets[i + 1] - 1. The columns are in any order, never the row's own, and may repeat. The diagonal entry
+/// is the sum of these couplings and extra[i]. Couplings and extras are 0 or more.
 struct Laplacian {
   std::vector<std::uint64_t> offsets;  ///< size: rows + 1
   std::vector<std::uint32_t> columns;

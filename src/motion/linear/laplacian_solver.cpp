@@ -13,10 +13,10 @@
 namespace vorpipe::moving {
 namespace {
 
-/// Rows up to which factors are found about as soon as conjugate gradients end (decision D110).
+/// Number of rows up to which factorization is about as fast as conjugate gradients (decision D110).
 constexpr std::size_t most_factored = 10000;
 
-/// What conjugate gradients take off before what is left is computed anew.
+/// Reduction by conjugate gradients before the residual is computed anew.
 constexpr double at_a_time = 1e-6;
 
 }  // namespace
@@ -30,7 +30,7 @@ struct LaplacianSolver::State {
 
   LinearSolution solve(const Laplacian& matrix, double tolerance, std::vector<double>& x);
 
-  /// Adds to `found` what solves for `residual`. Returns the number of iterations.
+  /// Adds to `found` the solution for `residual`. Returns the number of iterations.
   std::uint64_t improve(const Laplacian& matrix, double least);
 };
 
@@ -50,7 +50,7 @@ LinearSolution LaplacianSolver::State::solve(const Laplacian& matrix, double tol
   x.assign(right.size(), 0);
   const double norm = normOf(right, threads);
   if (!(norm > 0)) return {};
-  // Numbers near 1 are what single precision holds.
+  // Single precision needs numbers near 1.
   forAll(right.size(), threads, [&](std::size_t i) { right[i] /= norm; });
   if (matrix.rows() > most_factored) {
     multigrid.build(matrix, threads);
@@ -59,11 +59,11 @@ LinearSolution LaplacianSolver::State::solve(const Laplacian& matrix, double tol
   }
   LinearSolution solution{0, 1};
   residual = right;
-  // What is left is solved for again, as long as that takes off half of it.
+  // Solves again for the residual, as long as that at least halves it.
   for (bool halved = true; halved && solution.residual > tolerance;) {
     found = x;
-    // A little less, since the recurrence of conjugate gradients does not know of all rounding; nor does it
-    // notice where there is nothing but that, so that not too much is asked of it at a time.
+    // Slightly less, since the recurrence of conjugate gradients misses some rounding. Nor does it notice
+    // when only rounding is left, so each call asks for a limited reduction.
     solution.iterations += improve(matrix, std::max(0.99 * tolerance, at_a_time * solution.residual));
     singular.removeMeans(found, threads);
     forAll(found.size(), threads, [&](std::size_t i) { residual[i] = right[i] - imageAt(matrix, found, i); });

@@ -14,10 +14,10 @@ namespace vorpipe::moving {
 /// How a system was solved.
 struct LinearSolution {
   std::uint64_t iterations = 0;  ///< of conjugate gradients; 0: solved directly
-  double residual = 0;           ///< |b - L x| / |b|, which was computed from x
+  double residual = 0;           ///< |b - L x| / |b|, computed from x
 };
 
-/// Keeps memory from one system to the next. Results do not depend on the number of threads.
+/// Reuses memory between systems. Results do not depend on the number of threads.
 class LaplacianSolver {
  public:
   explicit LaplacianSolver(int threads);
@@ -26,9 +26,9 @@ class LaplacianSolver {
   ~LaplacianSolver();
 
   /// Finds x with |b - L x| <= tolerance |b|. In each connected part of the graph whose extras are all 0, b's
-  /// mean over the part is taken from it and x has the mean 0. Rows are best in an order in which those of
-  /// neighbors are near each other. What rounding allows is reached where that is less than was asked for;
-  /// the solution says so. Error (device): out of memory.
+  /// mean over the part is subtracted, and x has the mean 0. Rows of neighbors are best near each other. If
+  /// rounding prevents the tolerance, the residual is as small as rounding allows; the solution reports it.
+  /// Error (device): out of memory.
   Result<LinearSolution> solve(const Laplacian& matrix, std::span<const double> b, double tolerance,
                                std::vector<double>& x);
 

@@ -1,4 +1,4 @@
-/// How masses change as sites move, and the least moves that change them so.
+/// How masses change as sites move, and the least moves for given changes.
 #pragma once
 
 #include <cstdint>
@@ -15,14 +15,14 @@ namespace vorpipe::moving {
 ///
 ///     (D v)_i = sum over j of 2 c (p_j - b) . v_j - 2 c (p_i - b) . v_i.
 ///
-/// No flow through the domain's walls follows from it: nothing else would take what leaves there.
+/// It includes no flow through the domain's walls: no other cell would receive what leaves there.
 class MassChange {
  public:
-  /// Of cells that fill the domain, which is periodic or not.
+  /// For cells that fill the domain, which is periodic or not.
   MassChange(const MovingCells& cells, const Sites& sites, const Box& domain, int threads);
 
   void apply(std::span<const Point> velocity, std::vector<double>& change) const;  ///< D v
-  /// D^T p, each row divided by the site's inertia: the acceleration that this pressure gives.
+  /// Computes D^T p, each row divided by the site's inertia: the acceleration due to this pressure.
   void push(std::span<const double> pressure, std::span<const double> inertia,
             std::vector<Point>& result) const;
   /// The diagonal of D M^-1 D^T.
@@ -39,10 +39,10 @@ class MassChange {
 };
 
 /// Finds p with (D M^-1 D^T) p = wanted. Of all v with D v = wanted, M^-1 D^T p is then the one with the
-/// least sum of inertia |v|^2. `pressure` is where the search begins, from 0 where it has another size, and
-/// the p that was found. Returns the iterations of conjugate gradients, which end where what is left of
-/// `wanted` has the norm `least` or less, or where rounding allows no more; or where `goes_on`, which is
-/// asked before each, says no.
+/// least sum of inertia |v|^2. `pressure` is the initial guess, 0 if its size differs, and becomes the p that
+/// was found. Returns the number of conjugate gradient iterations. They end when the residual of `wanted` has
+/// the norm `least` or less, when rounding allows no more progress, or when `goes_on`, called before each,
+/// returns false.
 std::uint64_t solvePressure(
     const MassChange& change, std::span<const double> inertia, std::span<const double> wanted, double least,
     int threads, std::vector<double>& pressure, const std::function<bool()>& goes_on = [] { return true; });

@@ -8,8 +8,8 @@
 namespace vorpipe::moving {
 
 void Multigrid::build(const Laplacian& matrix, int threads) {
-  // Measured with cells of random sites: more makes smaller aggregates, whose cycles take longer than the
-  // steps that they save. Couplings of coarse levels are more even, so that fewer of them are strong.
+  // Measured with cells of random sites: greater strengths make smaller aggregates, whose longer cycles cost
+  // more than the saved steps. Couplings of coarse levels are more even, so fewer of them are strong.
   constexpr float strength_of_finest = 0.15f, strength_of_next = 0.5f;
   constexpr std::size_t few_rows = 1000;
   threads_ = threads;
@@ -47,7 +47,7 @@ void Multigrid::factorCoarsest() {
 
 void Multigrid::solveCoarsest() {
   auto& level = levels_[count_ - 1];
-  // Means are removed before and after, so that the two together are symmetric.
+  // Means are removed before and after, which keeps the operation symmetric.
   coarsest_right_.assign(level.right.begin(), level.right.end());
   singular_.removeMeans(coarsest_right_, threads_);
   coarsest_.solve(coarsest_right_, coarsest_x_);

@@ -10,17 +10,17 @@
 
 namespace vorpipe::moving {
 
-/// Solves approximately with a matrix. Rows of a level are added up to rows of the next until few are left,
-/// which are factored. Memory is kept from one matrix to the next.
+/// Solves a system approximately. Rows of a level are aggregated to rows of the next until few are left,
+/// which are factored. Memory is reused for the next matrix.
 class Multigrid {
  public:
   /// The matrix has fewer couplings than 2^32.
   void build(const Laplacian& matrix, int threads);
 
-  /// Where the right side goes, which solve() changes.
+  /// The place for the right side, which solve() changes.
   std::vector<float>& right() { return levels_.front().right; }
-  /// Solves approximately for it, but for a factor, which is the same for all right sides. What comes of a
-  /// right side is almost, but not quite, linear in it.
+  /// Solves approximately for it, up to a factor that is the same for all right sides. The result is almost,
+  /// but not quite, linear in the right side.
   const std::vector<float>& solve();
 
  private:

@@ -1,4 +1,4 @@
-/// A row of a sparse matrix, as it is added up.
+/// A row of a sparse matrix, while it is summed.
 #pragma once
 
 #include <cstdint>
@@ -6,7 +6,7 @@
 
 namespace vorpipe::moving {
 
-/// A hash table of columns. Columns near each other have places near each other.
+/// A hash table of columns. Nearby columns have nearby slots.
 class RowSum {
  public:
   struct Entry {

@@ -28,8 +28,8 @@ void sweepForward(Level& level, int threads) {
 }
 
 void passOn(Level& level, int threads, Level& coarse) {
-  // After that sweep a row lacks what it is coupled to behind it and in other blocks. Aggregates of a block
-  // are its own, so that no two threads add to one.
+  // After that sweep a row's residual is from couplings to rows behind it and in other blocks. Aggregates
+  // belong to one block, so that no two threads add to the same one.
   std::fill(coarse.right.begin(), coarse.right.end(), 0.f);
   byBlock(level, threads, [&](std::size_t begin, std::size_t end) {
     const auto* columns = level.columns.data();

@@ -1,4 +1,4 @@
-/// What a cycle does on a level.
+/// The operations of a cycle on a level.
 #pragma once
 
 #include <vector>
@@ -7,16 +7,16 @@
 
 namespace vorpipe::moving {
 
-/// A sweep of Gauss and Seidel from x = 0, by block.
+/// Makes a Gauss-Seidel sweep from x = 0, by block.
 void sweepForward(Level& level, int threads);
 
-/// The right side of the next level: what that sweep left of each aggregate's.
+/// Sets the right side of the next level: the residual of that sweep, summed by aggregate.
 void passOn(Level& level, int threads, Level& coarse);
 
-/// Adds to x what the next level found.
+/// Adds to x the correction from the next level.
 void takeBack(const Level& coarse, int threads, Level& level);
 
-/// A sweep in the other direction. The right side is changed.
+/// Makes a sweep in the other direction. Changes the right side.
 void sweepBackward(Level& level, int threads);
 
 }  // namespace vorpipe::moving

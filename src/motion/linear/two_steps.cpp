@@ -7,7 +7,7 @@
 namespace vorpipe::moving {
 namespace {
 
-/// Row i of the matrix times x, by differences: constants leave nothing.
+/// Row i of the matrix times x, computed from differences, so that constants cancel exactly.
 float imageAt(const Level& level, const std::vector<float>& x, std::size_t i) {
   float sum = level.extra[i] * x[i];
   for (auto k = level.offsets[i]; k < level.offsets[i + 1]; ++k) {
@@ -28,7 +28,7 @@ void TwoSteps::run(Level& level, int threads, const std::function<void()>& cycle
   cycle();
   first_ = level.x;
   image_.resize(rows);
-  // Sums of products are in double, whatever the factors are.
+  // Sums of products are in double, although the factors are not.
   using Sums = std::array<double, 3>;
   const auto [own, due, before] = sumsByBlocks<3>(rows, threads, [&](std::size_t begin, std::size_t end) {
     Sums sums{};
@@ -65,7 +65,7 @@ void TwoSteps::run(Level& level, int threads, const std::function<void()>& cycle
     }
     return sums;
   });
-  // Of the second, what is conjugate to the first.
+  // The part of the second that is conjugate to the first.
   const double rest = own2 - mixed * mixed / own;
   if (!(rest > 0)) return takeFirst(level, threads, step);
   const double step2 = due2 / rest, step1 = step - mixed * step2 / own;

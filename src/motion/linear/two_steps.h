@@ -1,4 +1,4 @@
-/// What makes a cycle of a multigrid a K-cycle.
+/// The inner iteration that turns a multigrid cycle into a K-cycle.
 #pragma once
 
 #include <functional>
@@ -8,20 +8,21 @@
 
 namespace vorpipe::moving {
 
-/// Solves on a level by two steps of conjugate gradients that cycles precondition, or by one where that takes
-/// off enough (Notay and Vassilevski 2008, "Recursive Krylov-based multigrid cycles"). The best multiples of
-/// what cycles find make up for the corrections that aggregates without smoothing make too small.
+/// Solves on a level by two steps of conjugate gradients preconditioned by cycles, or by one if it reduces
+/// the residual enough (Notay and Vassilevski 2008, "Recursive Krylov-based multigrid cycles"). Unsmoothed
+/// aggregates make corrections too small; optimal multiples of the cycles' results compensate for that.
 class TwoSteps {
  public:
-  /// `cycle` solves approximately for level.right, in level.x, and may change the right side.
+  /// `cycle` approximately solves for level.right, stores the result in level.x, and may change the right
+  /// side.
   void run(Level& level, int threads, const std::function<void()>& cycle);
 
  private:
   void takeFirst(Level& level, int threads, double step) const;
 
-  std::vector<float> first_;  ///< what the first cycle found
+  std::vector<float> first_;  ///< result of the first cycle
   std::vector<float> image_;  ///< the matrix times that
-  std::vector<float> right_;  ///< the right side, then what the first step leaves of it
+  std::vector<float> right_;  ///< the right side, then its residual after the first step
 };
 
 }  // namespace vorpipe::moving

@@ -1,5 +1,5 @@
-/// What a window tells, and what a script makes a window do: one and the same, in the order in which it
-/// happened.
+/// Events, in the order in which they happened: a window reports them, and a script makes a window do the
+/// same.
 #pragma once
 
 #include <cstdint>
@@ -9,7 +9,7 @@
 
 namespace vorpipe::view {
 
-/// A place in a window, in its pixels (of the framebuffer), from the left and from the top.
+/// A place in a window, in pixels of the framebuffer from the left and the top.
 struct Place {
   double x = 0, y = 0;
   friend bool operator==(const Place&, const Place&) = default;
@@ -17,7 +17,7 @@ struct Place {
 
 enum class Button : std::uint8_t { left, right, middle };
 
-/// Keys that are held down with others.
+/// Modifier keys held down with another key.
 struct Modifiers {
   bool shift = false, control = false, alt = false;
   friend bool operator==(const Modifiers&, const Modifiers&) = default;
@@ -54,12 +54,12 @@ struct Drop {
   std::vector<std::string> paths;
 };
 struct Close {};
-/// Of scripts alone: continues when the sharp picture of all that came before stands in the window, or when
-/// `seconds` are over, if they are not 0.
+/// In scripts only. Waits until the window shows the sharp picture of all events before, or for `seconds` if
+/// not 0.
 struct Wait {
   double seconds = 0;
 };
-/// Of scripts alone: what the window shows, with or without the panel, into a .png.
+/// In scripts only. Writes what the window shows, with or without the panel, into a .png.
 struct Screenshot {
   std::string path;
   bool panel = false;

@@ -1,4 +1,4 @@
-/// What a frame consists of, for either presenter: a copy of the picture, or triangles.
+/// The parts of a frame, for both presenters: a copy of the picture, or triangles.
 #pragma once
 
 #include <cstdint>
@@ -12,16 +12,16 @@ namespace vorpipe::view {
 /// Whether there is a picture to show.
 bool hasPicture(const Shown& frame);
 
-/// Whether the picture fills the window, pixel on pixel, so that it is copied.
+/// Whether the picture fills the window pixel by pixel, so that it can be copied.
 bool isSharp(const Shown& frame, int width, int height);
 
-/// The picture's pixels over `background`, opaque, to as many places.
+/// Blends the picture's pixels over `background`, opaque, into `to` of the same size.
 void putOverBackground(const Image& picture, std::span<std::uint32_t> to);
 
-/// What triangles are covered with.
+/// The texture of triangles.
 enum class Surface : std::uint8_t { picture, panel };
 
-/// Some of the triangles, cut off outside of a rectangle that lies in the window.
+/// Some of the triangles, clipped to a rectangle inside the window.
 struct TrianglePart {
   Surface surface = Surface::picture;
   std::uint32_t first_index = 0, indices = 0;
@@ -32,10 +32,11 @@ struct FrameTriangles {
   std::vector<PanelVertex>
       vertices;  ///< x, y in normalized device coordinates, -1 at the left and at the top
   std::vector<std::uint32_t> indices;
-  std::vector<TrianglePart> parts;  ///< in the order in which they are drawn
+  std::vector<TrianglePart> parts;  ///< in drawing order
 };
 
-/// The picture, unless it is sharp, and the panel, in a window of `width` x `height` pixels.
+/// Returns triangles of the picture, unless it is sharp, and of the panel, in a window of `width` x `height`
+/// pixels.
 FrameTriangles trianglesOf(const Shown& frame, int width, int height);
 
 }  // namespace vorpipe::view

@@ -12,7 +12,7 @@
 namespace vorpipe::view {
 namespace {
 
-// As systems name it, where the loader looks; Homebrew's folders are not among these.
+// The library's usual names, for the loader to find; it does not search Homebrew's folders.
 #ifdef __APPLE__
 constexpr std::array library_names = {"libglfw.3.dylib", "/opt/homebrew/lib/libglfw.3.dylib",
                                       "/usr/local/lib/libglfw.3.dylib"};
@@ -22,7 +22,7 @@ constexpr std::array library_names = {"libglfw.so.3", "libglfw.so"};
 
 constexpr std::string_view remedy = "install libglfw3 (Debian, Ubuntu) or glfw (Fedora, Arch, Homebrew)";
 
-// It stays open until the process ends.
+// The library stays open until the process ends.
 void* openLibrary() {
   for (const char* const name : library_names) {
     if (void* const library = dlopen(name, RTLD_NOW | RTLD_LOCAL); library != nullptr) return library;

@@ -1,8 +1,8 @@
-/// GLFW's functions, from its library, which is opened when the first window is: programs start without it.
+/// GLFW's functions. The library is loaded with the first window, so programs start without it.
 #pragma once
 
 #include <volk.h>
-// After Vulkan's header GLFW declares what it has for Vulkan.
+// GLFW declares its Vulkan functions only if Vulkan's header comes before.
 #define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>
 
@@ -63,12 +63,12 @@ struct Glfw {
   Glfw& operator=(const Glfw&) = delete;
   ~Glfw();
 
-  /// Opens the library and connects to the display; windows that are open at the same time share it. It ends
-  /// with the last of them. Of the thread that has the windows.
-  /// Errors (device): there is no such library, or no display.
+  /// Loads the library and connects to the display. Windows that are open at the same time share it; it ends
+  /// with the last of them. Call on the windows' thread. Errors (device): there is no such library, or no
+  /// display.
   static Result<std::shared_ptr<const Glfw>> start();
 
-  /// What GLFW said last, in one line.
+  /// Returns GLFW's last error message, in one line.
   [[nodiscard]] std::string lastError() const;
 
 #define VORPIPE_GLFW_MEMBER(member, function) decltype(&(function)) member = nullptr;

@@ -8,7 +8,7 @@
 namespace vorpipe::view {
 namespace {
 
-// GLFW's callbacks have the window alone; its functions are those of whichever Input has it.
+// GLFW's callbacks get only the window, so its functions are kept here, from any Input.
 const Glfw* shared = nullptr;
 
 Input& inputOf(GLFWwindow* window) { return *static_cast<Input*>(shared->getWindowUserPointer(window)); }
@@ -22,7 +22,7 @@ Modifiers modifiersOf(int bits) {
   return {(bits & GLFW_MOD_SHIFT) != 0, (bits & control) != 0, (bits & GLFW_MOD_ALT) != 0};
 }
 
-// Of the wheel GLFW does not say what is held with it.
+// GLFW does not report modifiers with the wheel.
 Modifiers heldNow(const Glfw& glfw, GLFWwindow* window) {
   const auto held = [&](int left, int right) {
     return glfw.getKey(window, left) == GLFW_PRESS || glfw.getKey(window, right) == GLFW_PRESS;
@@ -38,9 +38,9 @@ bool isAscii(const char* text) {
   return true;
 }
 
-// A key that gives a character is named by it when it comes: only then '?' is found on every keyboard. None
-// comes while Control or Alt are held, and that of another script has no name; then the place counts, or what
-// the key gives alone.
+// A key that gives a character is named by that character, when it arrives: only so '?' works on every
+// keyboard. No character comes while Control or Alt is held, and those of other scripts have no name. Then
+// the key's own character or its place determines the name.
 void onKey(GLFWwindow* window, int key, int scancode, int action, int bits) {
   if (action == GLFW_RELEASE) return;
   Input& input = inputOf(window);
@@ -83,7 +83,8 @@ std::string utf8(std::uint32_t point) {
 void onCharacter(GLFWwindow* window, unsigned int point) {
   Input& input = inputOf(window);
   if (std::string name = nameOfCharacter(point); !name.empty()) {
-    // What else is held made the character. A letter is the same with Shift, and has it.
+    // Held modifiers only produced the character, so they are dropped. Letters keep their name with Shift, so
+    // they keep Shift.
     const bool is_letter = (point >= 'a' && point <= 'z') || (point >= 'A' && point <= 'Z');
     Modifiers with{};
     with.shift = is_letter && heldNow(*input.glfw, window).shift;
@@ -92,7 +93,7 @@ void onCharacter(GLFWwindow* window, unsigned int point) {
   input.events.emplace_back(Text{utf8(point)});
 }
 
-// GLFW counts in the desktop's units, of which a pixel of the framebuffer may be a part.
+// GLFW uses the desktop's units, which may differ from pixels of the framebuffer.
 Place inPixels(const Glfw& glfw, GLFWwindow* window, double x, double y) {
   int width = 0, height = 0, pixels_wide = 0, pixels_high = 0;
   glfw.getWindowSize(window, &width, &height);
@@ -129,7 +130,7 @@ void onDrop(GLFWwindow* window, int count, const char** paths) {
   inputOf(window).events.emplace_back(Drop{std::vector<std::string>(paths, paths + count)});
 }
 
-// Whether the window closes is decided by who takes the event.
+// The receiver of the event decides whether the window closes.
 void onClose(GLFWwindow* window) {
   Input& input = inputOf(window);
   input.glfw->setWindowShouldClose(window, GLFW_FALSE);
@@ -147,7 +148,7 @@ void onIconify(GLFWwindow* window, int minimized) {
   }
 }
 
-// Of several in a row the last one counts. A minimized window has no pixels on some systems.
+// Of consecutive resizes only the last one counts. On some systems a minimized window has no pixels.
 void onSize(GLFWwindow* window, int width, int height) {
   Input& input = inputOf(window);
   if (width <= 0 || height <= 0) return;
@@ -155,14 +156,14 @@ void onSize(GLFWwindow* window, int width, int height) {
   input.events.emplace_back(Resize{width, height});
 }
 
-// The desktop has lost what a part of the window showed.
+// The desktop has lost part of the window's contents.
 void onRefresh(GLFWwindow* window) {
   int width = 0, height = 0;
   inputOf(window).glfw->getFramebufferSize(window, &width, &height);
   onSize(window, width, height);
 }
 
-// Letters are to be drawn anew.
+// Letters must be drawn anew.
 void onScale(GLFWwindow* window, float /*x*/, float /*y*/) { onRefresh(window); }
 
 }  // namespace

@@ -1,4 +1,4 @@
-/// What GLFW tells of a window, as events.
+/// Converts GLFW's input of a window to events.
 #pragma once
 
 #include <vector>
@@ -11,10 +11,10 @@ namespace vorpipe::view {
 struct Input {
   const Glfw* glfw = nullptr;
   bool minimized = false;
-  std::vector<Event> events{};  ///< since they were taken
+  std::vector<Event> events{};  ///< since the last were taken
 };
 
-/// Has GLFW tell a window's input, which stays where it is as long as there is the window.
+/// Makes GLFW report a window's input to `input`, which must stay in place as long as the window exists.
 void listen(GLFWwindow* window, Input& input);
 
 }  // namespace vorpipe::view

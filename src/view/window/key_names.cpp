@@ -12,7 +12,7 @@ struct NamedKey {
   int key;
   std::string_view name;
 };
-// What gives a character stands here by what it gives on an American keyboard.
+// Keys that give a character are listed by their character on an American keyboard.
 constexpr std::array<NamedKey, 42> named_keys = {{
     {GLFW_KEY_SPACE, "space"},
     {GLFW_KEY_ESCAPE, "escape"},

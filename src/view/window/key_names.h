@@ -1,4 +1,4 @@
-/// Names of keys, as Key::name has them.
+/// Names of keys, for Key::name.
 #pragma once
 
 #include <cstdint>
@@ -7,15 +7,15 @@
 
 namespace vorpipe::view {
 
-/// The name of one of GLFW's keys by its place on an American keyboard; empty for keys that have none, such
-/// as those that are held with others.
+/// Returns the name of a GLFW key by its place on an American keyboard; empty for keys without a name, such
+/// as modifiers.
 std::string_view nameOfKey(int key);
 
-/// The key that gives a character, where it has a name: 'A' is "a", '?' is "question"; else empty. Blanks
-/// have none: the key is named when it goes down.
+/// Returns the name of the key for a character: 'A' is "a", '?' is "question"; empty if there is none. Empty
+/// for blanks too: their key is named when it goes down.
 std::string nameOfCharacter(std::uint32_t character);
 
-/// Whether a key gives a character, which says better than its place what its name is.
+/// Whether a key gives a character, which then determines its name better than its place.
 bool givesCharacter(int key);
 
 }  // namespace vorpipe::view

@@ -1,5 +1,5 @@
-// Draws as the Vulkan presenter does: a canvas with row 0 at the top, which goes to the window upside down,
-// as OpenGL counts rows from the bottom there. The window's context owns what is made in it.
+// Draws like the Vulkan presenter: on a canvas with row 0 at the top. The copy to the window is flipped, as
+// OpenGL counts a window's rows from the bottom. The window's context owns all objects.
 #include <fmt/core.h>
 
 #include <array>
@@ -39,7 +39,7 @@ void makeTexture(Texture& texture) {
   }
 }
 
-// Room for pixels; what was there is lost if that is of another size.
+// Makes room for pixels; the contents are lost if the size changes.
 void resize(Texture& texture, int width, int height) {
   glBindTexture(GL_TEXTURE_2D, texture.name);
   if (texture.width == width && texture.height == height) return;
@@ -68,7 +68,7 @@ class OpenglPresenter final : public Presenter {
 
   Result<void> start() {
     enter();
-    // As Vulkan's FIFO: a frame for each of the screen's.
+    // Like Vulkan's FIFO: one frame per screen refresh.
     glfw_.swapInterval(1);
     const auto* const renderer = reinterpret_cast<const char*>(glGetString(GL_RENDERER));
     name_ = fmt::format("OpenGL on {}", renderer == nullptr ? "a device without a name" : renderer);
@@ -149,7 +149,7 @@ class OpenglPresenter final : public Presenter {
   [[nodiscard]] std::string name() const override { return name_; }
 
  private:
-  // A session on this thread has a context of its own.
+  // A session on this thread may have made its own context current.
   void enter() const {
     if (glfw_.getCurrentContext() != window_) glfw_.makeContextCurrent(window_);
   }
@@ -190,7 +190,7 @@ class OpenglPresenter final : public Presenter {
     return {};
   }
 
-  // Where the window has grown by now, what is beyond is black until it is told of its new size.
+  // If the window has grown meanwhile, the new area is black until the resize event arrives.
   void copyToWindow() const {
     int width = 0, height = 0;
     glfw_.getFramebufferSize(window_, &width, &height);

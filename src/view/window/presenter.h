@@ -10,7 +10,7 @@
 
 namespace vorpipe::view {
 
-/// A rectangle of a window, in its pixels, from the left and from the top; it may reach beyond.
+/// A rectangle in pixels from the window's left and top; it may extend beyond the window.
 struct Placement {
   double left = 0, top = 0, width = 0, height = 0;
 };
@@ -22,54 +22,53 @@ struct PanelVertex {
   std::uint32_t rgba = 0;  ///< R in the lowest byte, straight alpha
 };
 
-/// Triangles that are cut off outside of a rectangle of the window.
+/// Triangles that are clipped to a rectangle of the window.
 struct PanelPart {
   std::uint32_t first_index = 0, indices = 0;
   std::int32_t left = 0, top = 0, right = 0, bottom = 0;
 };
 
-/// What is drawn over the picture: triangles, in order, each three indices.
+/// Triangles drawn over the picture, in order; three indices each.
 struct PanelTriangles {
   std::vector<PanelVertex> vertices;
   std::vector<std::uint32_t> indices;
   std::vector<PanelPart> parts;
 };
 
-/// The coverage of each texel, 0 to 255: of the panel's letters. A texel of 255 is among them, for what is
-/// filled.
+/// The panel's font as coverage of each texel, 0 to 255. It contains a texel of 255, for filled areas.
 struct PanelTexture {
   int width = 0, height = 0;
   std::vector<std::uint8_t> alpha;
 };
 
-/// What a frame consists of.
+/// The contents of a frame.
 struct Shown {
   const Image* picture = nullptr;  ///< nullptr: none yet
-  std::uint64_t version = 0;       ///< of the picture: another number means another picture
-  Placement placement{};           ///< of the picture: the whole window if it is sharp, pixel on pixel
+  std::uint64_t version = 0;       ///< of the picture: a different number means a different picture
+  Placement placement{};           ///< of the picture: the whole window if it is sharp, pixel by pixel
   const PanelTriangles* panel = nullptr;
 };
 
-/// Draws into the window that it was made for; of the thread that made it.
+/// Draws into the window it was made for. Use it only on the thread that made it.
 class Presenter {
  public:
   virtual ~Presenter() = default;
 
-  /// The panel's letters, before the first panel is shown.
+  /// Sets the panel's font; call before the first panel is shown.
   virtual Result<void> setTexture(const PanelTexture& texture) = 0;
 
-  /// Shows a frame in a window of `width` x `height` pixels (0 x 0: it is minimized, nothing is shown). A
-  /// picture whose placement is the whole window is copied, pixel on pixel; another one is scaled, linearly.
-  /// What it does not cover is `background`.
+  /// Shows a frame in a window of `width` x `height` pixels (0 x 0: minimized, shows nothing). A picture
+  /// placed on the whole window is copied pixel by pixel; others are scaled linearly. The rest is
+  /// `background`.
   virtual Result<void> show(const Shown& frame, int width, int height) = 0;
 
-  /// What the last show() drew, as the window has it: RGBA, row 0 at the top; `ids` is empty.
+  /// Returns what the last show() drew in the window: RGBA, row 0 at the top; `ids` is empty.
   virtual Result<Image> read() = 0;
 
-  /// "Vulkan on llvmpipe", for the panel.
+  /// Returns a name for the panel, e.g. "Vulkan on llvmpipe".
   [[nodiscard]] virtual std::string name() const = 0;
 
-  /// What the validation layers said since the last call.
+  /// Returns the messages of the validation layers since the last call.
   virtual std::vector<std::string> validationMessages() { return {}; }
 };
 

@@ -1,4 +1,4 @@
-/// The two ways to show something in a window.
+/// The two presenters.
 #pragma once
 
 #include <memory>
@@ -10,12 +10,12 @@
 
 namespace vorpipe::view {
 
-/// For a window that was made without a graphics interface. `device` is as BackendOptions::device. The
-/// presenter goes before the window.
+/// For a window created without a graphics API. `device` is as in BackendOptions::device. Destroy the
+/// presenter before the window.
 Result<std::unique_ptr<Presenter>> makeVulkanPresenter(const Glfw& glfw, GLFWwindow* window,
                                                        const std::string& device, bool validation);
 
-/// For a window that has an OpenGL 4.1 context.
+/// For a window with an OpenGL 4.1 context.
 Result<std::unique_ptr<Presenter>> makeOpenglPresenter(const Glfw& glfw, GLFWwindow* window);
 
 }  // namespace vorpipe::view

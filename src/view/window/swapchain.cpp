@@ -14,9 +14,9 @@ namespace {
 using vulkan::check;
 using vulkan::structure;
 
-// A window may change again while its images are made anew.
+// A window may change again while its images are recreated.
 constexpr int most_tries = 3;
-// Some desktops give no image while a window is hidden.
+// Some desktops provide no image while a window is hidden.
 constexpr std::uint64_t longest_wait = 500'000'000;  // nanoseconds
 
 Result<vulkan::Handle<VkSemaphore>> createSemaphore(const vulkan::Device& device) {
@@ -25,7 +25,7 @@ Result<vulkan::Handle<VkSemaphore>> createSemaphore(const vulkan::Device& device
                         info, "vkCreateSemaphore");
 }
 
-// Colors are copied as they are: formats that convert them from linear light are not for this.
+// Colors are copied unchanged, so formats that convert from linear light are unsuitable.
 Result<VkSurfaceFormatKHR> chooseFormat(const VulkanWindow& window) {
   std::uint32_t count = 0;
   const VkSurfaceKHR surface = window.surface.handle();
@@ -49,7 +49,7 @@ Result<VkSurfaceFormatKHR> chooseFormat(const VulkanWindow& window) {
                              "' offers windows no format of 8 bits a channel that it can copy to");
 }
 
-// What is shown is opaque, however the desktop would treat it if it were not.
+// The contents are opaque, so any known mode gives the same result.
 VkCompositeAlphaFlagBitsKHR compositeAlpha(VkCompositeAlphaFlagsKHR supported) {
   constexpr std::array<VkCompositeAlphaFlagsKHR, 4> known = {
       VK_COMPOSITE_ALPHA_OPAQUE_BIT_KHR, VK_COMPOSITE_ALPHA_INHERIT_BIT_KHR,
@@ -60,7 +60,7 @@ VkCompositeAlphaFlagBitsKHR compositeAlpha(VkCompositeAlphaFlagsKHR supported) {
   return VK_COMPOSITE_ALPHA_OPAQUE_BIT_KHR;
 }
 
-// The window's own size; where it has none, as under Wayland, the images give it one.
+// The window's own size; if it has none, as under Wayland, the images determine it.
 VkExtent2D extentOf(const VkSurfaceCapabilitiesKHR& window, VkExtent2D asked) {
   if (window.currentExtent.width != std::numeric_limits<std::uint32_t>::max()) return window.currentExtent;
   return {std::clamp(asked.width, window.minImageExtent.width, window.maxImageExtent.width),
@@ -85,7 +85,7 @@ Result<void> Swapchain::recreate(const VulkanWindow& window, VkExtent2D asked) {
   VkSurfaceCapabilitiesKHR surface{};
   VORPIPE_TRY(check(window.surface.capabilities(window.physical.handle, window.surface.handle(), &surface),
                     "vkGetPhysicalDeviceSurfaceCapabilitiesKHR"));
-  // The window may not have waited yet for the semaphores of what it was given.
+  // The window may not have waited yet for the semaphores of presented images.
   VORPIPE_TRY(check(device.api().vkDeviceWaitIdle(device.handle()), "vkDeviceWaitIdle"));
   filled_.clear();
   images_.clear();

@@ -1,4 +1,4 @@
-/// The images that a window shows in turn.
+/// The swapchain: images that a window shows in turn.
 #pragma once
 
 #include <cstdint>
@@ -10,24 +10,25 @@
 
 namespace vorpipe::view {
 
-/// One of them, to be filled.
+/// An image of the swapchain, to be filled.
 struct WindowImage {
   VkImage image = VK_NULL_HANDLE;
   std::uint32_t index = 0;
-  VkExtent2D extent{};              ///< the window's own, which may have changed already
-  vulkan::Semaphores semaphores{};  ///< for the commands that fill it, by transfer
+  VkExtent2D extent{};              ///< the image's extent; the window may have changed already
+  vulkan::Semaphores semaphores{};  ///< for the transfer commands that fill it
 };
 
 class Swapchain {
  public:
-  /// Errors (device): the window takes no format that colors can be copied to.
+  /// Errors (device): the window supports no format that colors can be copied to.
   static Result<Swapchain> create(const VulkanWindow& window);
 
-  /// The next image for a window of `width` x `height` pixels; none while the window has none or is hidden.
+  /// Returns the next image for a window of `width` x `height` pixels; none while the window has none or is
+  /// hidden.
   Result<std::optional<WindowImage>> acquire(const VulkanWindow& window, int width, int height);
 
-  /// Shows it, once the commands are done that were to fill it. False: the window has changed, and nothing is
-  /// shown.
+  /// Shows the image once the commands that fill it are done. Returns false, and shows nothing, if the window
+  /// has changed.
   Result<bool> present(const VulkanWindow& window, const WindowImage& image);
 
  private:
@@ -40,7 +41,7 @@ class Swapchain {
   vulkan::Handle<VkSwapchainKHR> swapchain_;
   std::vector<VkImage> images_;
   vulkan::Handle<VkSemaphore> acquired_;
-  /// One for each image: of an image that comes back it is known that the window has waited for it.
+  /// One for each image: when an image is acquired again, the window has waited for its semaphore.
   std::vector<vulkan::Handle<VkSemaphore>> filled_;
 };
 

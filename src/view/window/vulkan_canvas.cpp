@@ -43,9 +43,9 @@ constexpr std::array<VkPipelineColorBlendAttachmentState, 1> over = {
 constexpr VkImageUsageFlags canvas_usage =
     VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT | VK_IMAGE_USAGE_TRANSFER_SRC_BIT | VK_IMAGE_USAGE_TRANSFER_DST_BIT;
 constexpr VkImageUsageFlags texture_usage = VK_IMAGE_USAGE_TRANSFER_DST_BIT | VK_IMAGE_USAGE_SAMPLED_BIT;
-// A texture as another use leaves it, or as it was made.
+// A texture after its last use, or new; its contents are replaced.
 constexpr vulkan::Use replaced{VK_IMAGE_LAYOUT_UNDEFINED, vulkan::sampled.stage, 0};
-// The canvas as it was read last, or as it was made.
+// The canvas after it was last read, or new.
 constexpr vulkan::Use shown_before{VK_IMAGE_LAYOUT_UNDEFINED, VK_PIPELINE_STAGE_TRANSFER_BIT, 0};
 
 Result<vulkan::Handle<VkSampler>> createSampler(const vulkan::Device& device) {

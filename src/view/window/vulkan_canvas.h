@@ -1,4 +1,4 @@
-/// Where Vulkan puts together what a window is to show: the picture, and triangles over it.
+/// The image in which Vulkan composes a frame: the picture, and triangles over it.
 #pragma once
 
 #include <cstdint>
@@ -20,17 +20,17 @@ class VulkanCanvas {
 
   Result<void> setTexture(vulkan::Device& device, const PanelTexture& texture);
 
-  /// Takes what the next record() needs of a frame for a window of `width` x `height` pixels. The device must
-  /// not be using the canvas.
+  /// Stores what the next record() needs of a frame, for a window of `width` x `height` pixels. The device
+  /// must not be using the canvas.
   Result<void> prepare(const vulkan::Device& device, const Shown& frame, int width, int height);
-  /// Records the drawing. Afterwards image() is in use as vulkan::copied.
+  /// Records the drawing commands, which leave image() in the state vulkan::copied.
   void record(const VolkDeviceTable& api, VkCommandBuffer commands) const;
-  /// The commands of record() are done.
+  /// Call when the commands of record() are done.
   void recorded();
 
   [[nodiscard]] VkImage image() const { return canvas_.image.get(); }
   [[nodiscard]] VkExtent2D extent() const { return extent_; }
-  /// What was drawn last.
+  /// Returns what was drawn last.
   Result<Image> read(vulkan::Device& device);
 
  private:
@@ -52,9 +52,9 @@ class VulkanCanvas {
   vulkan::Handle<VkFramebuffer> framebuffer_;
   vulkan::Plane panel_texture_;
 
-  // The picture lies in `pixels_`, from where it is copied if it is sharp; else from the texture, which it
-  // gets into when that is needed.
-  std::optional<std::uint64_t> version_, texture_version_;  ///< of the picture there
+  // The picture lies in `pixels_`. If sharp, it is copied from there; else it is drawn from the texture,
+  // which is filled when needed.
+  std::optional<std::uint64_t> version_, texture_version_;  ///< of the picture in each place
   VkExtent2D picture_extent_{}, texture_extent_{};
   vulkan::Plane picture_texture_;
   bool sharp_ = false, drawn_ = false;

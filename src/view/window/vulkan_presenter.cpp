@@ -13,16 +13,16 @@
 namespace vorpipe::view {
 namespace {
 
-// A window may change between taking an image and showing it.
+// A window may change between acquiring an image and presenting it.
 constexpr int most_tries = 2;
 
-// What the window did with an image before does not matter: commands begin when it has given it back.
+// The window's earlier use of an image does not matter: commands start after the window has released it.
 constexpr vulkan::Use given_back{VK_IMAGE_LAYOUT_UNDEFINED, VK_PIPELINE_STAGE_TRANSFER_BIT, 0};
-// The semaphore makes the window see it.
+// The semaphore makes the writes visible to the window.
 constexpr vulkan::Use given{VK_IMAGE_LAYOUT_PRESENT_SRC_KHR, VK_PIPELINE_STAGE_BOTTOM_OF_PIPE_BIT, 0};
 
-// Pixel on pixel, from the left and from the top; the order of channels may differ. Where the window is
-// larger by now, what is beyond is black until it is told of its new size.
+// Copies pixel by pixel from the top left; the order of channels may differ. If the window has grown
+// meanwhile, the new area is black until the resize event arrives.
 void recordCopy(const VolkDeviceTable& api, VkCommandBuffer commands, const VulkanCanvas& canvas,
                 const WindowImage& window) {
   const std::array images = {window.image};
@@ -50,7 +50,7 @@ class VulkanPresenter final : public Presenter {
       : window_(std::move(window)), swapchain_(std::move(swapchain)), canvas_(std::move(canvas)) {}
   VulkanPresenter(const VulkanPresenter&) = delete;
   VulkanPresenter& operator=(const VulkanPresenter&) = delete;
-  // The window may not be done with the last image.
+  // The window may still use the last image.
   ~VulkanPresenter() override { window_.device.api().vkDeviceWaitIdle(window_.device.handle()); }
 
   Result<void> setTexture(const PanelTexture& texture) override {
@@ -71,13 +71,13 @@ class VulkanPresenter final : public Presenter {
           },
           semaphores));
       canvas_.recorded();
-      // A hidden window is told to show it when it comes back.
+      // A hidden window gets an event to show it when it reappears.
       if (!*image) return {};
       const auto shown = swapchain_.present(window_, **image);
       if (!shown) return tl::unexpected(shown.error());
       if (*shown) return {};
     }
-    // Its new size comes as an event, and then the next frame.
+    // The new size will arrive as an event, followed by the next frame.
     return {};
   }
 

@@ -67,7 +67,7 @@ Result<VulkanWindow> VulkanWindow::open(const Glfw& glfw, GLFWwindow* window, co
   std::uint32_t count = 0;
   const char** const needed = glfw.getRequiredInstanceExtensions(&count);
   if (needed == nullptr) {
-    // Without a loader or a driver this says what to install; else it is the display that lacks something.
+    // Without a loader or driver, the error says what to install; otherwise the display lacks something.
     auto instance = vulkan::Instance::open(false);
     if (!instance) return tl::unexpected(std::move(instance).error());
     return vulkan::deviceError("Vulkan cannot show anything on this display: " + glfw.lastError());

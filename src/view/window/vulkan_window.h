@@ -1,4 +1,4 @@
-/// A device that can show what it draws in a window.
+/// A Vulkan device that can show images in a window.
 #pragma once
 
 #include <string>
@@ -10,7 +10,7 @@
 
 namespace vorpipe::view {
 
-/// What of a window Vulkan shows images on. The instance outlives it.
+/// The Vulkan surface of a window. The instance outlives it.
 class VulkanSurface {
  public:
   static Result<VulkanSurface> create(const Glfw& glfw, GLFWwindow* window, const vulkan::Instance& instance);
@@ -20,7 +20,7 @@ class VulkanSurface {
 
   [[nodiscard]] VkSurfaceKHR handle() const { return surface_; }
 
-  // These belong to the instance that has the extension; volk's are of whichever was opened last.
+  // These belong to the instance with the extension; volk's belong to the instance opened last.
   PFN_vkGetPhysicalDeviceSurfaceSupportKHR support = nullptr;
   PFN_vkGetPhysicalDeviceSurfaceCapabilitiesKHR capabilities = nullptr;
   PFN_vkGetPhysicalDeviceSurfaceFormatsKHR formats = nullptr;
@@ -33,14 +33,14 @@ class VulkanSurface {
   PFN_vkDestroySurfaceKHR destroy_ = nullptr;
 };
 
-/// In this order, so that the device goes before the surface and the surface before the instance.
+/// The order of members destroys the device before the surface and the surface before the instance.
 struct VulkanWindow {
   vulkan::Instance instance;
   VulkanSurface surface;
   vulkan::Physical physical;
   vulkan::Device device;
 
-  /// `device` is as BackendOptions::device, among those that can show something in this window.
+  /// `device` is as in BackendOptions::device, among the devices that can present to this window.
   static Result<VulkanWindow> open(const Glfw& glfw, GLFWwindow* window, const std::string& device,
                                    bool validation);
 };

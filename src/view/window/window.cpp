@@ -30,7 +30,7 @@ struct Window::State {
 
 namespace {
 
-// The session's own contexts are of EGL too; one of GLX, current on the same thread, would be in their way.
+// Sessions create their contexts by EGL too; a GLX context current on the same thread would conflict.
 void askForOpengl(const Glfw& glfw) {
   glfw.windowHint(GLFW_CLIENT_API, GLFW_OPENGL_API);
 #ifndef __APPLE__
@@ -87,7 +87,7 @@ Result<Window> Window::open(const WindowOptions& options) {
 
 std::vector<Event> Window::events(double seconds) {
   const Glfw& glfw = *state_->glfw;
-  // What came with an earlier call to GLFW does not wait.
+  // Events from an earlier GLFW call are delivered without waiting.
   if (!(seconds > 0) || !state_->input.events.empty()) {
     glfw.pollEvents();
   } else if (std::isinf(seconds)) {
@@ -135,7 +135,7 @@ int Window::height() const {
 double Window::scale() const {
   float x = 1, y = 1;
   state_->glfw->getWindowContentScale(state_->window, &x, &y);
-  // Some desktops do not know it.
+  // Some desktops do not report a scale.
   return x > 0 ? std::clamp(static_cast<double>(x), 0.5, 8.0) : 1;
 }
 

@@ -1,4 +1,4 @@
-/// A window of the desktop, by GLFW, which is loaded when the first one is opened.
+/// A desktop window, by GLFW, which is loaded with the first window.
 #pragma once
 
 #include <memory>
@@ -15,36 +15,35 @@ struct WindowOptions {
   std::string title = "vorpipe";
   int width = 1280, height = 720;
   WindowApi api = WindowApi::vulkan;
-  std::string device;       ///< what presents, by Vulkan: as BackendOptions::device
-  bool validation = false;  ///< Vulkan's layers
+  std::string device;       ///< the presenting Vulkan device, as in BackendOptions::device
+  bool validation = false;  ///< turns on Vulkan's validation layers
 };
 
-/// All calls but wake() are of the thread that opened it.
+/// Call everything except wake() on the thread that opened the window.
 class Window {
  public:
-  /// Errors (device): GLFW's library, a display, or what `api` needs is missing, in one line.
+  /// Errors (device), in one line: GLFW's library, a display, or what `api` needs is missing.
   static Result<Window> open(const WindowOptions& options);
   Window(Window&&) noexcept;
   Window& operator=(Window&&) noexcept;
   ~Window();
 
-  /// What happened since the last call. With `seconds` above 0 it waits until something does, or so long; it
-  /// may return earlier without any. A Resize to the size that the window has means that the desktop has lost
-  /// what a part of it showed. A key that gives a character comes as Key, then as Text.
+  /// Returns the events since the last call. With `seconds` above 0, waits at most that long for an event; it
+  /// may return earlier without any. A Resize to the present size means that the desktop has lost part of the
+  /// window's contents. A key that gives a character yields a Key, then a Text.
   std::vector<Event> events(double seconds);
-  /// Ends a wait; from any thread.
+  /// Ends a wait; call from any thread.
   void wake();
 
-  /// Does what a script says about the window itself: Resize, Minimize, Restore, Close. They come back as
-  /// events, Close at once, the others when the desktop has done them: without a window manager none is
+  /// Applies a script's event to the window itself: Resize, Minimize, Restore, Close. Each comes back as an
+  /// event: Close at once, the others when the desktop has done them. Without a window manager, no window is
   /// minimized.
   void apply(const Event& event);
 
   /// In pixels of the framebuffer; 0 x 0 while it is minimized.
   [[nodiscard]] int width() const;
   [[nodiscard]] int height() const;
-  /// Of letters and all that is pointed at: 2 where pixels are half as large as usual, by the desktop's
-  /// setting.
+  /// The desktop's scale for letters and all that is pointed at: 2 if pixels are half the usual size.
   [[nodiscard]] double scale() const;
   void setTitle(const std::string& title);
   void copyToClipboard(const std::string& text);
