@@ -20,6 +20,7 @@ installPackages tool build test fuzz
 if [[ ! -f build/fuzz/build.ninja ]]; then cmake --preset fuzz >build/fuzz.log || exit; fi
 cmake --build --preset fuzz >build/fuzz.log 2>&1 || { tail -30 build/fuzz.log >&2; exit 1; }
 fuzz=build/fuzz/tests/fuzz/fuzz
+tests/fuzz/seeds.sh unpack build/fuzz
 export ASAN_OPTIONS=allocator_may_return_null=1:detect_leaks=1 UBSAN_OPTIONS=print_stacktrace=1
 # What backends that are not asked would look for.
 export VK_DRIVER_FILES=/dev/null
@@ -36,7 +37,7 @@ fuzzOne() {
   [[ -z $words ]] || options+=(-dict="tests/fuzz/dict/$words.dict")
   while ((left > 0)); do
     begin=$SECONDS
-    "$fuzz" "${options[@]}" -max_total_time="$left" "$corpus" "tests/fuzz/seeds/$name" >"$last" 2>&1
+    "$fuzz" "${options[@]}" -max_total_time="$left" "$corpus" "build/fuzz/seeds/$name" >"$last" 2>&1
     cat "$last" >>"$all"
     left=$((left - (SECONDS - begin) - 1))
     runs=$((runs + $(sed -n 's/^stat::number_of_executed_units: *//p' "$last")))
