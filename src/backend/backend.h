@@ -91,7 +91,7 @@ enum class CellStatus : std::uint8_t {
   missing = 0,    ///< the device did not answer
   certified = 1,  ///< complete: no other site can cut it
   empty = 2,      ///< certified, and no part of it lies inside the domain
-  overflow = 3,   ///< more edges than there was room for
+  overflow = 3,   ///< more edges at once than the effort allows
   unsecured = 4,  ///< sites beyond the entry's reach might cut it
   open = 5,       ///< its edges do not close: rounding was too coarse
 };
@@ -132,7 +132,7 @@ struct BackendInfo {
   std::uint64_t max_bins = 0;     ///< most bins of their grid
   std::uint64_t max_lines = 0;    ///< most lines in one batch, corners or triangles in one call
   std::uint32_t max_entries = 0;  ///< most entries in one batch, most sites in one call of cells or draw
-  int most_edges = 0;             ///< room for edges with Effort::roomy
+  int most_edges = 0;             ///< that a cell may have at once, with Effort::roomy
   int subpixel_bits = 8;          ///< vertices are snapped to 1 / 2^bits of a pixel
   bool has_vertices = true;       ///< whether pictures are drawn; else every pixel is searched for
 };
@@ -154,7 +154,7 @@ struct Computed {
   float offset;         ///< (a - b) + (c - d), in this order
 };
 
-/// How much room for edges a cell gets when it is clipped in float.
+/// How many edges a cell may have at once while it is clipped in float.
 enum class Effort : std::uint8_t {
   fast,   ///< EDGES_FAST edges at any time of the clipping
   roomy,  ///< the most that the backend has
@@ -176,7 +176,7 @@ class Backend {
   /// may or may not be listed.
   virtual Result<void> cells(std::span<const std::uint32_t> which, Effort effort, CellNeighbors& out) = 0;
 
-  /// Clips each entry of a batch with the most room available and returns its neighborhood.
+  /// Clips each entry of a batch as with Effort::roomy, and returns the neighbors of its cell.
   virtual Result<void> cells(const CellBatch<double>& batch, CellNeighbors& out) = 0;
 
   /// Clears the picture: every pixel has no_site and color 0.

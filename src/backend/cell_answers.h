@@ -26,8 +26,8 @@ constexpr std::size_t answerRoom(std::size_t edges, bool weighted) { return edge
 /// Returns the status in a word; `missing` if it is invalid.
 CellStatus statusIn(std::uint32_t word);
 
-/// Reserves memory in an empty `out` for `entries` rows of `room` numbers, so that appending does not move
-/// them.
+/// Reserves memory in an empty `out` for `entries` rows of up to `room` neighbors, so that appending does not
+/// move them.
 void reserve(std::size_t entries, std::size_t room, CellNeighbors& out);
 
 /// Appends the entries of `answers` to `out`, on all threads. An entry with an invalid word is `missing`.

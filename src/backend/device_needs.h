@@ -40,7 +40,7 @@ struct DeviceNeeds {
   int largest_view;
   std::uint64_t devices;         ///< number of devices at the same time, if each gets cells_per_device cells
   std::uint64_t further_device;  ///< for each of these except the first
-  bool reserves_rows;  ///< reserves room for the most neighbors per row; otherwise memory grows by doubling
+  bool reserves_rows;  ///< memory for the most neighbors of each row at once; else it grows by doubling
 };
 
 /// Returns the needs of a backend by its name in the registry. Unknown names get those of "cpu".

@@ -20,7 +20,7 @@ struct Clipper {
   const HalfPlane<Real>* lines = nullptr;
   const SiteSet* sites = nullptr;
   double site_x = 0, site_y = 0;  ///< the site whose cell is clipped
-  int used_edges = MAX_EDGES;     ///< a multiple of 4; used only if Room is large
+  int used_edges = MAX_EDGES;     ///< where loops over slots end if Room exceeds 64; a multiple of 4
 
   /// Returns the end of loops over the slots; a constant if there are few.
   [[nodiscard]] int edgeEnd() const {

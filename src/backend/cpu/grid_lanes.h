@@ -5,8 +5,8 @@
 
 namespace vorpipe::cpu {
 
-/// Finds the cells of a job with room for EDGES_FAST edges, or with `roomy` for EDGES_MOST; neighbors has
-/// room for as many per cell, and one more if sites have weights.
+/// Finds the cells of a job, each of at most EDGES_FAST edges at once, or EDGES_MOST if `roomy`. The job's
+/// `neighbors` holds as many per cell, and one more if sites have weights.
 using FindInLanes = void (*)(const LaneJob& job, bool roomy);
 
 /// Returns the fastest variant for this processor, for sites with or without weights. All give the same

@@ -157,7 +157,7 @@ class TreeWalk {
   Real x_[Room], y_[Room], squared_[Room], widening_[Room], margin_[Room];
   // By slot; valid while line_[k] is still the line in it.
   std::int32_t line_[Room];
-  std::int32_t known_after_[Room];  // the line where its edge ends, if that corner is known
+  std::int32_t known_after_[Room];  // by slot: the line that ends its edge, if that corner is known
   Real angle_[Room];                // of the normal
   Real moved_[Room], apart_[Room];  // as in RingEdge; apart_ of sites only
   Real new_moved_{}, new_apart_{};  // of the line that cuts
