@@ -24,21 +24,13 @@ void planInput(MemoryPlan& plan, const Input& input) {
   if (!input.density.values.empty()) plan.take("density", 2 * number * input.density.values.size());
 }
 
-Result<Workload> workloadOf(const Input& input, ImagesFor purpose, const DeviceInfo& device, int threads) {
-  Workload work;
-  work.sites = input.sites.size();
-  work.weighted = !input.sites.weight.empty();
-  work.outlined = !input.outline.empty();
-  work.periodic = input.periodic != Periodic::none;
-  work.density_pixels = input.density.values.size();
-  work.backend = device.backend;
-  work.device_on_host = device.type == "cpu";
-  work.threads = threads;
-  const auto all = sitesAndImages(input.sites, input.domain, input.periodic, purpose, threads);
-  if (!all) return tl::unexpected(all.error());
-  work.images = *all - work.sites;
-  work.on_lattice = areOnLattice(input.sites);
-  return work;
+Workload workloadOf(const Input& input, ImagesFor purpose, SharedSession& session, int threads) {
+  CellsOptions options{};
+  options.domain = input.domain;
+  options.outline = input.outline;
+  options.density = input.density;
+  options.periodic = input.periodic;
+  return valueOf(vorpipe::workloadOf(input.sites, options, purpose, session.device(), threads));
 }
 
 using Parts = std::vector<std::pair<std::string, std::uint64_t>>;
@@ -54,7 +46,7 @@ std::tuple<std::uint64_t, Parts, std::uint64_t, std::string> told(const MemoryPl
 auto forecastCells(SharedSession& session, const Input& input, const std::string& detail, bool checked,
                    int threads) {
   const Detail wanted = chosen("detail", detail_choices, detail);
-  const Workload work = valueOf(workloadOf(input, ImagesFor::cells, session.device(), threads));
+  const Workload work = workloadOf(input, ImagesFor::cells, session, threads);
   MemoryPlan plan;
   planInput(plan, input);
   planSession(plan, work);
@@ -66,12 +58,12 @@ auto forecastCells(SharedSession& session, const Input& input, const std::string
 auto forecastPicture(SharedSession& session, const Input& input, const Look& look, bool checked,
                      int threads) {
   const RenderOptions wanted = renderOptionsOf(look, input);
-  const Workload work = valueOf(workloadOf(input, imagesFor(wanted), session.device(), threads));
+  const Workload work = workloadOf(input, imagesFor(wanted), session, threads);
   MemoryPlan plan;
   planInput(plan, input);
   planSession(plan, work);
   planPicture(plan, work, wanted);
-  if (checked) planPictureCheck(plan, work, wanted.width, wanted.height);
+  if (checked) planPictureCheck(plan, work, wanted);
   return told(plan);
 }
 

@@ -57,7 +57,7 @@ void planDrawing(MemoryPlan& plan, const Workload& work, const RenderOptions& op
                  const DrawingNeeds& needs, bool checks) {
   if (needs.pixels) planPicture(plan, work, options);
   if (needs.cells) planCells(plan, work, Detail::polygons);
-  if (checks && needs.pixels) planPictureCheck(plan, work, options.width, options.height);
+  if (checks && needs.pixels) planPictureCheck(plan, work, options);
   if (checks && needs.cells) planCellsCheck(plan, work, Detail::polygons);
   if (needs.cells) planShapes(plan, work, options);
 }

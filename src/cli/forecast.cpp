@@ -105,7 +105,6 @@ void planTiles(MemoryPlan& plan, const Workload& work, std::uint64_t tile_sites)
   Workload tile = work;
   tile.sites = std::min(work.sites, tile_sites);
   tile.images = 0;
-  tile.on_lattice = true;  // the sites are not known here
   planSession(plan, tile);
   plan.take("areas, centroids and numbers of neighbors", work.sites * (3 * number + word + 1));
   plan.take("sites by cells of a lattice", work.sites * word);

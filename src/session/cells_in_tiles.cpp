@@ -10,10 +10,10 @@
 #include "base/stopwatch.h"
 #include "base/try.h"
 #include "cells/diagram_writer.h"
-#include "session/closed.h"
 #include "session/input_check.h"
 #include "session/open_cells.h"
 #include "session/session_state.h"
+#include "session/tiles.h"
 #include "vorpipe/tiled.h"
 
 namespace vorpipe {

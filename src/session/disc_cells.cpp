@@ -8,7 +8,6 @@
 #include "base/refusal.h"
 #include "cells/cell_walk.h"
 #include "geometry/disc_cut.h"
-#include "session/discs.h"
 
 namespace vorpipe::core {
 namespace {

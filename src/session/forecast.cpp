@@ -1,109 +1,207 @@
-#include "session/forecast.h"
-
+/// The forecast of memory: a table of bytes per site, as measured with a million sites of the kinds random,
+/// square, clusters and circle. The kind that takes most counts, so a run over even sites takes up to 40 %
+/// less, and its picture half. tests/cli/forecast.sh holds runs to it.
 #include <algorithm>
-#include <cmath>
+#include <bit>
+#include <string_view>
+#include <utility>
+#include <vector>
 
-#include "geometry/mesh.h"
-#include "sites/grid.h"
+#include "base/parallel.h"
+#include "vorpipe.h"
+#include "vorpipe/shapes.h"
 
-namespace vorpipe::core {
+namespace vorpipe {
 namespace {
 
-std::uint64_t binsOf(std::uint64_t sites) {
-  return static_cast<std::uint64_t>(static_cast<double>(sites) / sites_per_bin) + 1;
+using Array = MemoryPlan::Array;
+
+constexpr std::uint64_t million = 1'000'000, word = 4, number = 8, point = 16;
+
+/// Memory of a backend, in bytes. Of a device, it counts only where it is the host's memory. Drivers are
+/// measured with Mesa 22.3.6 and LLVM 15; newer ones, as 25.0.7 with LLVM 19, need 17 MB more.
+struct BackendMemory {
+  std::string_view name;
+  std::uint64_t program;              ///< code, libraries and driver, with compiled pipelines
+  std::uint64_t site, weighted_site;  ///< while cells are found, for each site
+  std::uint64_t drawing, drawn_site;  ///< while cells are drawn, in all and for each site
+  std::uint64_t pixel;                ///< of a view
+  std::uint64_t largest_view;         ///< width and height of a view, at most
+  std::uint64_t further_device;       ///< for each device after the first, up to one per thread
+};
+constexpr BackendMemory backends[]{
+    {"cpu", 20 * million, 0, 0, 0, 0, 0, 8192, 0},
+    {"vulkan-compute", 117 * million, 25, 45, 75 * million, 8, 16, 4096, 0},
+    {"vulkan-geometry", 127 * million, 30, 55, 50 * million, 20, 24, 4096, 5 * million},
+    {"opengl", 155 * million, 65, 65, 50 * million, 8, 16, 4096, 0}};
+/// Drivers that were looked through remain in memory.
+constexpr std::uint64_t looked_through = 74 * million;
+
+const BackendMemory& memoryOf(const Workload& work) {
+  const auto* found = std::ranges::find(backends, work.backend, &BackendMemory::name);
+  // "vulkan" and "auto": the backend behind these names is known once it is open, and needs no more.
+  if (found == std::end(backends))
+    found = std::ranges::find(backends, "vulkan-geometry", &BackendMemory::name);
+  return *found;
+}
+
+std::uint64_t allSites(const Workload& work) { return work.sites + work.images; }
+
+/// Bytes per site or image at the peak of Session::cells, besides a device.
+std::uint64_t peakOfCells(const Workload& work, Detail detail) {
+  if (work.periodic) return work.outlined ? 700 : work.weighted ? 560 : 535;
+  if (work.outlined) return detail == Detail::everything ? 660 : 635;
+  constexpr std::uint64_t measures = 265, polygons = 400, everything = 470;
+  return detail == Detail::everything ? everything : detail == Detail::polygons ? polygons : measures;
+}
+
+/// Bytes per site of a Diagram.
+std::uint64_t bytesOfCells(Detail detail, bool measured_by_density) {
+  constexpr std::uint64_t measures = point + 2 * number + 1 + word + mean_edges * number;
+  constexpr std::uint64_t polygons = mean_edges * (point + number) + 4 * number, triangles = 2 * 3 * word;
+  return measures + (detail == Detail::measures ? 0 : polygons) +
+         (detail == Detail::everything ? triangles : 0) + (measured_by_density ? number + point : 0);
+}
+
+std::uint64_t imagePixels(const RenderOptions& options) {
+  return static_cast<std::uint64_t>(options.width) * static_cast<std::uint64_t>(options.height);
+}
+
+/// Plans the views of a picture, on the device and as they are read; with several samples in a pixel, these
+/// as well.
+void planViews(MemoryPlan& plan, const Workload& work, const RenderOptions& options) {
+  const BackendMemory& memory = memoryOf(work);
+  auto width = static_cast<std::uint64_t>(options.width), height = static_cast<std::uint64_t>(options.height);
+  if (options.antialias > 1) {
+    const auto in_pixel = static_cast<std::uint64_t>(options.antialias);
+    height = std::min(height, static_cast<std::uint64_t>(rowsAtOnce(options.width, options.antialias)));
+    width *= in_pixel;
+    height *= in_pixel;
+    plan.take("samples of pixels", width * height * 2 * word);
+  }
+  const auto view = std::min(width, memory.largest_view) * std::min(height, memory.largest_view);
+  plan.take("a view of the picture", view * 2 * word);
+  if (work.device_on_host) plan.take("the picture on the device", view * memory.pixel);
+}
+
+/// Plans marksOf(): lists that grow by doubling.
+void planMarks(MemoryPlan& plan, const Workload& work, const RenderOptions& options) {
+  const auto lines = 3 * work.sites * sizeof(Line) * 3 / 2;
+  if (options.edges && options.antialias > 1) plan.take("lines and labels", lines);
+  if (options.dual) plan.take("lines and labels", lines);
+  if (!options.labels) return;
+  const double box = options.label_size * options.label_size;
+  const auto fit = static_cast<std::uint64_t>(static_cast<double>(imagePixels(options)) / box);
+  plan.take("lines and labels", std::min(work.sites, fit) * 2 * sizeof(SiteLabel));
+}
+
+/// A table of sites between half and quarter full, and a tree over them.
+std::uint64_t checkBytes(const Workload& work) {
+  return (std::bit_ceil(2 * work.sites + 1) + 2 * work.sites) * word;
 }
 
 }  // namespace
 
-std::uint64_t partOf(std::uint64_t number_, double part) {
-  return static_cast<std::uint64_t>(std::ceil(static_cast<double>(number_) * part));
-}
-
-MemoryPlan::Array planReserve(MemoryPlan& plan) {
-  // Longer than any gap between other arrays.
-  constexpr std::uint64_t longest = std::uint64_t{1} << 50;
-  return plan.take("a reserve", longest, plan.peak() / 24);
-}
-
-std::uint64_t plannedStep(std::uint64_t sites) {
-  constexpr std::uint64_t usual = std::uint64_t{1} << 18, most_steps = 16;
-  return std::max(std::min(sites, usual), (sites + most_steps - 1) / most_steps);
-}
-
-std::uint64_t plannedDevices(const DeviceNeeds& needs, std::uint64_t sites) {
-  return std::clamp<std::uint64_t>(sites / cells_per_device, 1, needs.devices);
-}
-
-PlannedSet planPrepare(MemoryPlan& plan, std::uint64_t sites, bool weighted) {
-  const std::string_view what = "sites in their bins";
-  const auto by_input = plan.take(what, weighted ? sites * number : 0);
-  constexpr std::uint64_t placed_bytes = 2 * number + 2 * word;
-  const auto placed = plan.take("sorting sites into bins", sites * placed_bytes);
-  PlannedSet set;
-  for (const auto bytes : {number, number, word}) set.sites.push_back(plan.take(what, sites * bytes));
-  set.owner = plan.take("owners of sites", sites * word);
-  set.sites.push_back(plan.take(what, binsOf(sites) * word));
-  plan.drop(placed);
-  if (weighted) {
-    set.sites.push_back(plan.take(what, sites * number));
-    const auto all = plan.take(what, sites * word);
-    plan.drop(all);
-    // The numbers of the bins, and a third as many for the levels above.
-    set.sites.push_back(plan.take(what, binsOf(sites) * number * 4 / 3));
+Array MemoryPlan::take(std::string_view what, std::uint64_t bytes) {
+  arrays_.push_back({std::string(what), bytes});
+  bytes_ += bytes;
+  if (bytes_ <= peak_) return arrays_.size() - 1;
+  peak_ = bytes_;
+  parts_.clear();
+  for (const MemoryPart& array : arrays_) {
+    if (array.bytes == 0) continue;
+    const auto part = std::ranges::find(parts_, array.what, &MemoryPart::what);
+    part == parts_.end() ? parts_.push_back(array) : void(part->bytes += array.bytes);
   }
-  plan.drop(by_input);
-  return set;
+  std::ranges::stable_sort(parts_, std::greater<>(), &MemoryPart::bytes);
+  return arrays_.size() - 1;
 }
 
-void planUpload(MemoryPlan& plan, const Workload& work, std::uint64_t sites, bool drawn) {
-  const DeviceNeeds needs = needsOf(work);
-  const auto compiling = plan.take("the driver", needs.compiling);
-  plan.drop(compiling);
-  if (!work.device_on_host) return;
-  const std::string_view what = "sites on the device";
-  const auto devices = plannedDevices(needs, sites);
-  plan.take("the driver", (devices - 1) * needs.further_device);
-  for (std::uint64_t device = 0; device < devices; ++device) {
-    plan.take(what, binsOf(sites) * needs.bin);
-    const auto passing = plan.take(what, sites * needs.passing_site);
-    plan.take(what, sites * needs.site);
-    plan.drop(passing);
-    if (work.weighted) {
-      plan.take(what, sites * needs.weight);
-      plan.take(what, binsOf(sites) * needs.heaviest * 4 / 3);
-    }
-    if (drawn) plan.take(what, sites * needs.mark);
+void MemoryPlan::drop(Array array) { bytes_ -= std::exchange(arrays_[array].bytes, 0); }
+
+void MemoryPlan::dropSince(Array first, const std::vector<Array>& kept) {
+  for (auto array = first; array < arrays_.size(); ++array) {
+    if (std::ranges::find(kept, array) == kept.end()) drop(array);
   }
 }
 
-std::vector<MemoryPlan::Array> planMesh(MemoryPlan& plan, const Workload& work, std::uint64_t sites) {
-  const std::string_view what = "the triangulation of sites";
-  constexpr std::uint64_t on_curve = 16;
-  const auto site = plan.take(what, sites * word);
-  const auto placed = plan.take(what, sites * on_curve), other = plan.take(what, sites * on_curve);
-  plan.drop({placed, other});
-  const auto points = plan.take(what, sites * point);
-  const auto weights = plan.take(what, work.weighted ? sites * number : 0);
-  const auto order = plan.take(what, sites * word);
-  const auto triangles = plan.take(what, 2 * sites * sizeof(MeshTriangle));
-  const auto cavity = plan.take(what, work.weighted ? 2 * sites : 0);
-  const auto near = plan.take(what, sites * word);
-  const auto left = plan.take(what, sites * word);
-  const auto region = plan.take(what, 3 * sites);
-  const auto of_parts = plan.take(what, sites * word);
-  plan.drop({of_parts, left});
-  const auto at = plan.take(what, sites * word);
-  plan.drop({region, near, cavity, order});
-  return {site, points, weights, triangles, at};
+Result<Workload> workloadOf(const Sites& sites, const CellsOptions& options, ImagesFor purpose,
+                            const DeviceInfo& device, int threads) {
+  Workload work;
+  work.sites = sites.size();
+  work.weighted = !sites.weight.empty();
+  work.outlined = !options.outline.empty();
+  work.periodic = options.periodic != Periodic::none;
+  work.density_pixels = options.density.values.size();
+  work.backend = device.backend;
+  work.device_on_host = device.type == "cpu";
+  work.beside_drivers = device.beside_drivers;
+  work.threads = threads;
+  const auto all = sitesAndImages(sites, options.domain, options.periodic, purpose, threads);
+  if (!all) return tl::unexpected(all.error());
+  work.images = *all - work.sites;
+  return work;
 }
 
-}  // namespace vorpipe::core
+ImagesFor imagesFor(ColorBy color) {
+  return color == ColorBy::area || color == ColorBy::neighbors ? ImagesFor::cells : ImagesFor::pictures;
+}
 
-namespace vorpipe {
+ImagesFor imagesFor(const RenderOptions& options) {
+  return marksNeedCells(options) ? ImagesFor::cells : imagesFor(options.color);
+}
 
 void planSession(MemoryPlan& plan, const Workload& work) {
-  plan.take("the program, its libraries and the driver", core::needsOf(work).program);
-  if (work.beside_drivers) plan.take("drivers that were looked through for hardware", looked_through_bytes);
+  plan.take("the program, its libraries and the driver", memoryOf(work).program);
+  if (work.beside_drivers) plan.take("drivers that were looked through for hardware", looked_through);
+}
+
+Array planCells(MemoryPlan& plan, const Workload& work, Detail detail) {
+  const BackendMemory& memory = memoryOf(work);
+  const auto start = plan.next();
+  if (work.device_on_host) {
+    plan.take("sites on the device", allSites(work) * (work.weighted ? memory.weighted_site : memory.site));
+  }
+  const bool massive = work.density_pixels > 0;
+  if (massive) plan.take("masses", work.sites * 80);
+  plan.take("the search for cells", allSites(work) * peakOfCells(work, detail));
+  plan.dropSince(start);
+  return plan.take("cells", work.sites * bytesOfCells(detail, massive));
+}
+
+Array planPicture(MemoryPlan& plan, const Workload& work, const RenderOptions& options) {
+  const bool known = imagesFor(options.color) == ImagesFor::cells || work.weighted || work.outlined;
+  const BackendMemory& memory = memoryOf(work);
+  const auto start = plan.next();
+  if (known || marksNeedCells(options)) plan.drop(planCells(plan, work, marksDetail(options)));
+  // The picture's sites, and what the search keeps for it.
+  constexpr std::uint64_t known_site = 150, searched_site = 235;
+  plan.take("the search for cells", allSites(work) * (known ? known_site : searched_site));
+  plan.take("colors and statuses", allSites(work) * (number + 2 * word));
+  planMarks(plan, work, options);
+  if (work.device_on_host) {
+    plan.take("the driver", memory.drawing);
+    plan.take("sites on the device", allSites(work) * memory.drawn_site);
+    const auto devices = static_cast<std::uint64_t>(threadCount(work.threads));
+    plan.take("the driver", (devices - 1) * memory.further_device);
+  }
+  planViews(plan, work, options);
+  const auto image = plan.take("the picture", imagePixels(options) * 2 * word + work.sites * (word + 1));
+  plan.dropSince(start, {image});
+  return image;
+}
+
+void planCellsCheck(MemoryPlan& plan, const Workload& work, Detail detail) {
+  constexpr std::uint64_t tree = 2 * word + number, sides = 2 * 3 * 4 * word + word;
+  constexpr std::uint64_t most_sampled = 10'000, nearest_of_corner = 4 * point;
+  const auto sampled = std::min(work.sites, most_sampled) * (mean_edges + 1) * nearest_of_corner;
+  const auto by_site = tree + mean_edges * word + (detail == Detail::everything ? sides : 0);
+  plan.drop(plan.take("the check", checkBytes(work) + work.sites * by_site + sampled));
+}
+
+void planPictureCheck(MemoryPlan& plan, const Workload& work, const RenderOptions& options) {
+  constexpr std::uint64_t tree = 2 * word + number, compared = word + 1;
+  plan.drop(plan.take("the check", checkBytes(work) + work.sites * tree + imagePixels(options) * compared));
 }
 
 }  // namespace vorpipe

@@ -8,10 +8,9 @@
 #include "base/try.h"
 #include "domain/cell_mass.h"
 #include "domain/cells_run.h"
-#include "session/box_edges.h"
+#include "session/cell_edges.h"
 #include "session/disc_cells.h"
 #include "session/input_check.h"
-#include "session/polygon_edges.h"
 #include "session/session_state.h"
 
 namespace vorpipe {

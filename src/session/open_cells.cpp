@@ -11,7 +11,7 @@
 
 #include "base/refusal.h"
 #include "base/try.h"
-#include "session/closed.h"
+#include "session/tiles.h"
 
 namespace vorpipe::core {
 namespace {

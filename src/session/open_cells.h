@@ -4,7 +4,7 @@
 #include <functional>
 #include <vector>
 
-#include "session/part.h"
+#include "session/tiles.h"
 
 namespace vorpipe::core {
 

@@ -3,7 +3,6 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <map>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -22,62 +21,39 @@ struct MemoryPart {
   std::uint64_t bytes = 0;
 };
 
-/// The arrays of a run in the order of allocation and release, and the resulting memory of the process. Freed
-/// memory stays with the process and serves later arrays that fit into it. `vorpipe` behaves this way, as
-/// does any program with many arrays smaller than some megabytes.
+/// The large arrays of a run in the order of allocation and release, and how much memory they take at the
+/// peak.
 class MemoryPlan {
  public:
   using Array = std::size_t;
 
-  /// Adds an array of `bytes`, of which only the first `written` are ever touched: the others take no memory.
-  Array take(std::string_view what, std::uint64_t bytes, std::uint64_t written);
-  Array take(std::string_view what, std::uint64_t bytes) { return take(what, bytes, bytes); }
+  Array take(std::string_view what, std::uint64_t bytes);
   void drop(Array array);
-  void drop(const std::vector<Array>& arrays);
 
   /// next(): the next array that take() will return. dropSince(): drops all arrays from `first` on, except
   /// `kept`.
-  [[nodiscard]] Array next() const { return blocks_.size(); }
+  [[nodiscard]] Array next() const { return arrays_.size(); }
   void dropSince(Array first, const std::vector<Array>& kept = {});
 
   /// Bytes at the peak.
-  [[nodiscard]] std::uint64_t peak() const { return touched_bytes_; }
-  /// What makes up the peak: arrays alive when it was reached, and memory retained from others. Largest
-  /// first; they add up to peak().
+  [[nodiscard]] std::uint64_t peak() const { return peak_; }
+  /// The arrays at the peak by name, largest first; they add up to peak().
   [[nodiscard]] const std::vector<MemoryPart>& parts() const { return parts_; }
 
  private:
-  struct Block {
-    std::string what;
-    std::uint64_t begin, bytes, written;
-    bool live;
-  };
-  std::uint64_t place(std::uint64_t bytes);
-  std::uint64_t touch(std::uint64_t begin, std::uint64_t end);
-  void noteParts();
-
-  std::vector<Block> blocks_;
-  std::map<std::uint64_t, std::uint64_t> free_;     ///< begin and end of free ranges below the top
-  std::map<std::uint64_t, std::uint64_t> touched_;  ///< begin and end of ranges ever written
-  std::uint64_t top_ = 0, touched_bytes_ = 0;
-  std::vector<MemoryPart> parts_;
+  std::vector<MemoryPart> arrays_, parts_;
+  std::uint64_t bytes_ = 0, peak_ = 0;
 };
 
 /// Average number of edges of a cell: cells cover the plane.
 inline constexpr std::uint64_t mean_edges = 6;
-
-/// Whether most cells are likely to meet in ties, which take memory: on a lattice, many sites share
-/// coordinates or steps from one site to the next. Looks at some thousand sites.
-bool areOnLattice(const Sites& sites);
 
 /// What determines the memory of a run.
 struct Workload {
   std::uint64_t sites = 0;
   std::uint64_t images = 0;  ///< of the sites of a periodic domain: sitesAndImages() minus the sites
   bool weighted = false, periodic = false, outlined = false;
-  bool on_lattice = false;
   std::uint64_t density_pixels = 0;
-  Search search = Search::grid;
   std::string backend = "cpu";  ///< as in DeviceInfo::backend
   /// The device's memory is this machine's, as with software drivers. (A graphics card's own memory is not
   /// counted.)
@@ -97,16 +73,15 @@ ImagesFor imagesFor(ColorBy color);
 /// Plans a program that has opened a Session of the workload's backend: its code, libraries and driver.
 void planSession(MemoryPlan& plan, const Workload& work);
 
-/// Plans Session::cells. Returns the arrays of the Diagram.
-std::vector<MemoryPlan::Array> planCells(MemoryPlan& plan, const Workload& work, Detail detail);
+/// Plans Session::cells. Returns the Diagram.
+MemoryPlan::Array planCells(MemoryPlan& plan, const Workload& work, Detail detail);
 
-/// Plans Session::render. Returns the arrays of the Rendering.
-std::vector<MemoryPlan::Array> planPicture(MemoryPlan& plan, const Workload& work, int width, int height,
-                                           ColorBy color);
+/// Plans Session::render with the picture's options, as far as they are known. Returns the Rendering.
+MemoryPlan::Array planPicture(MemoryPlan& plan, const Workload& work, const RenderOptions& options);
 
 /// Plan the check() of results that planCells and planPicture plan.
 void planCellsCheck(MemoryPlan& plan, const Workload& work, Detail detail);
-void planPictureCheck(MemoryPlan& plan, const Workload& work, int width, int height);
+void planPictureCheck(MemoryPlan& plan, const Workload& work, const RenderOptions& options);
 
 /// How much memory a process may take.
 struct MemoryLimit {

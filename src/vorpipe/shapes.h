@@ -105,10 +105,6 @@ inline int rowsAtOnce(int width, int antialias) {
   return static_cast<int>(std::clamp<std::uint64_t>(places_at_once / places, 1, largest_side));
 }
 
-/// Same as the other planPicture; `options` are the picture's, as far as they are known.
-std::vector<MemoryPlan::Array> planPicture(MemoryPlan& plan, const Workload& work,
-                                           const RenderOptions& options);
-
 /// Images that a picture's marks and colors need.
 ImagesFor imagesFor(const RenderOptions& options);
 

@@ -4,11 +4,13 @@
 
 #include <string_view>
 
-#include "backend/device_needs.h"
 #include "base/try.h"
 
 namespace vorpipe::opengl {
 namespace {
+
+/// Bytes that the shaders write in one draw, at most.
+constexpr std::size_t feedback_bytes = std::size_t{32} * 1024 * 1024;
 
 GLuint resultOf(GLuint query) {
   GLuint result = 0;

@@ -7,7 +7,6 @@
 #include <utility>
 
 #include "backend/cell_answers.h"
-#include "backend/device_needs.h"
 #include "backend/vulkan/error.h"
 #include "base/parallel.h"
 
@@ -16,6 +15,8 @@ namespace {
 
 /// A device that has finished this many takes the next.
 constexpr std::size_t entries_at_once = std::size_t{1} << 16;
+/// Fewer cells than this are not worth another device.
+constexpr std::size_t cells_per_device = std::size_t{1} << 14;
 constexpr std::size_t pixels_at_once = std::size_t{1} << 16;
 
 /// One of the parts that make up all entries.

@@ -97,7 +97,9 @@ std::string refusal(const bench::Job& job, std::uint64_t sites, std::optional<st
   planSites(plan, "", sites, false);
   planSession(plan, work);
   if (job.side > 0) {
-    planPicture(plan, work, job.side, job.side, ColorBy::site);
+    RenderOptions picture{};
+    picture.width = picture.height = job.side;
+    planPicture(plan, work, picture);
   } else {
     planCells(plan, work, job.detail);
   }

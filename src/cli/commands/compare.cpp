@@ -131,13 +131,15 @@ Result<void> writeFiles(const CompareCommand& command, const Comparison& compari
 /// pair.
 PlanRun planOf(const CompareCommand& command, const PictureSize& size) {
   return [&command, size](MemoryPlan& plan, Workload work) {
+    RenderOptions render = command.picture.render;
+    render.width = size.width;
+    render.height = size.height;
     for (const std::string& name : command.backends) {
       work.backend = name;
       planSession(plan, work);
       const auto since = plan.next();
-      auto kept = planPicture(plan, work, size.width, size.height, command.picture.render.color);
-      for (const auto array : planCells(plan, work, Detail::measures)) kept.push_back(array);
-      if (command.check) planPictureCheck(plan, work, size.width, size.height);
+      const std::vector kept{planPicture(plan, work, render), planCells(plan, work, Detail::measures)};
+      if (command.check) planPictureCheck(plan, work, render);
       if (command.check) planCellsCheck(plan, work, Detail::measures);
       plan.dropSince(since, kept);
     }

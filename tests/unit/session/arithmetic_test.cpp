@@ -9,7 +9,6 @@
 #include <limits>
 
 #include "backend/registry/registry.h"
-#include "session/subpixel_grid.h"
 #include "unit/fixtures/changed_cpu.h"
 
 namespace vorpipe::test {
