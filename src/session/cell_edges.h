@@ -9,6 +9,7 @@
 #include "vorpipe.h"
 
 namespace vorpipe::core {
+
 /// Returns the edges of cells that findMoments() found, in the order of `meet`, the result of neighborsOf()
 /// for them. `pixels` is null if there is no density.
 EdgesOfCells edgesOf(const FoundBox& found, const CellsThatMeet& meet, const DensityPixels* pixels,

@@ -14,6 +14,7 @@
 #include "base/try.h"
 
 namespace vorpipe::core {
+
 /// Upper bounds on the work that a device gets at a time.
 struct Bounds {
   std::uint64_t sites = std::numeric_limits<std::uint64_t>::max();  ///< and of bins of their grid

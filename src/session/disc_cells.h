@@ -8,6 +8,7 @@
 #include "session/box_moments.h"
 
 namespace vorpipe::core {
+
 /// Refuses options that a free surface does not support yet. Errors (input).
 Result<void> checkFreeSurface(const CellsOptions& options, const Density& density);
 

@@ -10,6 +10,7 @@
 #include "session/site_cells.h"
 
 namespace vorpipe::core {
+
 struct TileBlock {
   BinBlock own;             ///< cells of the lattice
   BinBlock with;            ///< and the cells around it

@@ -8,10 +8,10 @@
 
 #include "backend/site_texels.h"
 #include "backend/vulkan/device.h"
+#include "backend/vulkan/handle.h"
 #include "backend/vulkan/instance.h"
 #include "backend/vulkan/physical.h"
 #include "backend/vulkan/sorted_sites.h"
-#include "backend/vulkan/structure.h"
 #include "backend_scene.h"
 
 namespace vorpipe::vulkan {

@@ -14,9 +14,9 @@
 #include "backend/vulkan/buffer.h"
 #include "backend/vulkan/compute_kernels.h"
 #include "backend/vulkan/device.h"
+#include "backend/vulkan/handle.h"
 #include "backend/vulkan/instance.h"
 #include "backend/vulkan/physical.h"
-#include "backend/vulkan/structure.h"
 #include "shaders.h"
 
 namespace vorpipe::vulkan {

@@ -3,7 +3,6 @@
 
 #include "backend/cpu/tree_walk.h"
 #include "backend/cpu/tree_walk_corners.h"
-#include "backend/cpu/tree_walk_nodes.h"
 
 namespace vorpipe::cpu {
 

@@ -12,6 +12,15 @@
 
 namespace vorpipe::opengl {
 
+/// While it lives, primitives are discarded before rasterization.
+class RasterizerDiscard {
+ public:
+  RasterizerDiscard() { glEnable(GL_RASTERIZER_DISCARD); }
+  RasterizerDiscard(const RasterizerDiscard&) = delete;
+  RasterizerDiscard& operator=(const RasterizerDiscard&) = delete;
+  ~RasterizerDiscard() { glDisable(GL_RASTERIZER_DISCARD); }
+};
+
 /// Captures outputs of everything drawn between begin() and end(): those that the program was linked to
 /// capture.
 class Feedback {

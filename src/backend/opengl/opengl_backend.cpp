@@ -7,15 +7,12 @@
 #include <new>
 #include <utility>
 
-#include "backend/opengl/arithmetic.h"
-#include "backend/opengl/batch.h"
 #include "backend/opengl/cells.h"
 #include "backend/opengl/device.h"
 #include "backend/opengl/geometry.h"
 #include "backend/opengl/gl.h"
 #include "backend/opengl/picture.h"
 #include "backend/opengl/sites.h"
-#include "backend/opengl/triangles.h"
 #include "backend/to_float.h"
 #include "base/try.h"
 

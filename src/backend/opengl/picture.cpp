@@ -4,12 +4,77 @@
 
 #include <array>
 #include <cassert>
+#include <cstddef>
 
 #include "backend/opengl/bindings.h"
 #include "backend/view_uniform.h"
 #include "base/try.h"
+#include "shaders.h"
 
 namespace vorpipe::opengl {
+namespace {
+
+using Entry = CellBatch<float>::Entry;
+static_assert(offsetof(Entry, north) == offsetof(Entry, west) + 3 * sizeof(float));
+static_assert(offsetof(Entry, origin_offset) == offsetof(Entry, reach) + sizeof(float));
+static_assert(offsetof(Entry, count) == offsetof(Entry, first) + sizeof(std::uint32_t));
+static_assert(offsetof(DrawMark, y) == offsetof(DrawMark, x) + sizeof(float));
+static_assert(offsetof(DrawMark, palette_index) == offsetof(DrawMark, id) + sizeof(std::uint32_t));
+static_assert(sizeof(HalfPlane<float>) == 4 * sizeof(float));
+
+constexpr GLuint attributes = 5;
+
+}  // namespace
+
+// The inputs of cell.vert by location, as entries and marks lie in memory.
+Batch::Batch()
+    : entries_(GL_ARRAY_BUFFER, GL_STREAM_DRAW),
+      marks_(GL_ARRAY_BUFFER, GL_STREAM_DRAW),
+      lines_(GL_RGBA32F, lines_unit) {
+  glGenVertexArrays(1, &vertices_);
+  glBindVertexArray(vertices_);
+  for (GLuint location = 0; location < attributes; ++location) glEnableVertexAttribArray(location);
+  entries_.bind();
+  glVertexAttribPointer(0, 4, GL_FLOAT, GL_FALSE, sizeof(Entry), bufferOffset(offsetof(Entry, west)));
+  glVertexAttribPointer(1, 2, GL_FLOAT, GL_FALSE, sizeof(Entry), bufferOffset(offsetof(Entry, reach)));
+  glVertexAttribIPointer(2, 2, GL_UNSIGNED_INT, sizeof(Entry), bufferOffset(offsetof(Entry, first)));
+  marks_.bind();
+  glVertexAttribPointer(3, 2, GL_FLOAT, GL_FALSE, sizeof(DrawMark), bufferOffset(offsetof(DrawMark, x)));
+  glVertexAttribIPointer(4, 2, GL_UNSIGNED_INT, sizeof(DrawMark), bufferOffset(offsetof(DrawMark, id)));
+}
+
+Result<void> Batch::send(const CellBatch<float>& batch, std::span<const DrawMark> marks) {
+  glBindVertexArray(vertices_);
+  entries_.write(std::as_bytes(std::span(batch.entries)));
+  // Shaders fetch marks even if none are sent.
+  marks_.reserve(batch.entries.size() * sizeof(DrawMark));
+  marks_.write(std::as_bytes(marks));
+  lines_.write(std::as_bytes(std::span(batch.lines)));
+  return takeErrors(fmt::format("sending {} entries with {} lines to the device", batch.entries.size(),
+                                batch.lines.size()));
+}
+
+// The inputs of polygon.vert by location, as corners lie in memory.
+Triangles::Triangles()
+    : corners_(GL_ARRAY_BUFFER, GL_STREAM_DRAW), corner_of_(GL_ELEMENT_ARRAY_BUFFER, GL_STREAM_DRAW) {
+  glGenVertexArrays(1, &vertices_);
+  glBindVertexArray(vertices_);
+  for (const GLuint location : {0U, 1U}) glEnableVertexAttribArray(location);
+  corners_.bind();
+  glVertexAttribPointer(0, 2, GL_FLOAT, GL_FALSE, sizeof(DrawMark), bufferOffset(offsetof(DrawMark, x)));
+  glVertexAttribIPointer(1, 2, GL_UNSIGNED_INT, sizeof(DrawMark), bufferOffset(offsetof(DrawMark, id)));
+}
+
+Result<void> Triangles::draw(std::span<const DrawMark> corners, std::span<const std::uint32_t> corner_of) {
+  VORPIPE_TRY(program_.use({shaders::polygon_vert_410(), {}, shaders::cell_frag_410(), {}}));
+  glBindVertexArray(vertices_);
+  corners_.write(std::as_bytes(corners));
+  corner_of_.write(std::as_bytes(corner_of));
+  glDrawElements(GL_TRIANGLES, static_cast<GLsizei>(corner_of.size()), GL_UNSIGNED_INT, bufferOffset(0));
+  glFinish();
+  return takeErrors("drawing triangles");
+}
+
 namespace {
 
 constexpr GLenum color_attachment = GL_COLOR_ATTACHMENT0;

@@ -7,8 +7,37 @@
 #include "backend/backend.h"
 #include "backend/opengl/buffer.h"
 #include "backend/opengl/gl.h"
+#include "backend/opengl/shader.h"
 
 namespace vorpipe::opengl {
+
+/// The inputs of cell.vert and the lines that the geometry shaders read.
+class Batch {
+ public:
+  Batch();
+
+  /// Replaces the batch on the device and makes it the input of the next draw call; points are entries. marks
+  /// may be empty where the program does not use them. Error (device): out of memory.
+  Result<void> send(const CellBatch<float>& batch, std::span<const DrawMark> marks);
+
+ private:
+  GLuint vertices_ = 0;
+  Buffer entries_, marks_;
+  TexelBuffer lines_;
+};
+
+class Triangles {
+ public:
+  Triangles();
+
+  /// Draws them into the bound framebuffer. Errors (device): out of memory; the driver refuses the shaders.
+  Result<void> draw(std::span<const DrawMark> corners, std::span<const std::uint32_t> corner_of);
+
+ private:
+  GLuint vertices_ = 0;
+  Buffer corners_, corner_of_;
+  Program program_;
+};
 
 class Picture {
  public:

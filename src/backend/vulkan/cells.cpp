@@ -10,7 +10,7 @@
 #include "backend/to_float.h"
 #include "backend/vulkan/error.h"
 #include "backend/vulkan/geometry.h"
-#include "backend/vulkan/structure.h"
+#include "backend/vulkan/handle.h"
 
 namespace vorpipe::vulkan {
 namespace {

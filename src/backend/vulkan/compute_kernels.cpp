@@ -3,9 +3,9 @@
 #include <cassert>
 #include <utility>
 
+#include "backend/vulkan/device.h"
 #include "backend/vulkan/error.h"
-#include "backend/vulkan/shader_module.h"
-#include "backend/vulkan/structure.h"
+#include "backend/vulkan/handle.h"
 
 namespace vorpipe::vulkan {
 namespace {

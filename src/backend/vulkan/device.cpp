@@ -1,13 +1,120 @@
 #include "backend/vulkan/device.h"
 
+#include <array>
+#include <chrono>
+#include <condition_variable>
 #include <limits>
 #include <string>
+#include <system_error>
+#include <thread>
+#include <utility>
 #include <vector>
 
 #include "backend/vulkan/error.h"
-#include "backend/vulkan/structure.h"
+#include "backend/vulkan/handle.h"
+#include "base/stopwatch.h"
 
 namespace vorpipe::vulkan {
+namespace {
+
+constexpr std::uint32_t ends = 2;
+constexpr std::uint32_t word_bits = 64;
+constexpr double seconds_per_nanosecond = 1e-9;
+
+}  // namespace
+
+Result<Clock> Clock::create(const Physical& physical, VkDevice device, const VolkDeviceTable& api) {
+  std::uint32_t count = 0;
+  vkGetPhysicalDeviceQueueFamilyProperties(physical.handle, &count, nullptr);
+  std::vector<VkQueueFamilyProperties> families(count);
+  vkGetPhysicalDeviceQueueFamilyProperties(physical.handle, &count, families.data());
+  VkPhysicalDeviceProperties properties{};
+  vkGetPhysicalDeviceProperties(physical.handle, &properties);
+  const std::uint32_t bits = families.at(physical.queue_family).timestampValidBits;
+  Clock clock;
+  if (bits == 0) return clock;
+  clock.valid_ = bits >= word_bits ? ~std::uint64_t{0} : (std::uint64_t{1} << bits) - 1;
+  clock.seconds_per_tick_ = seconds_per_nanosecond * static_cast<double>(properties.limits.timestampPeriod);
+  auto info = structure<VkQueryPoolCreateInfo>(VK_STRUCTURE_TYPE_QUERY_POOL_CREATE_INFO);
+  info.queryType = VK_QUERY_TYPE_TIMESTAMP;
+  info.queryCount = ends;
+  Result<Handle<VkQueryPool>> pool =
+      vulkan::create(device, api.vkCreateQueryPool, api.vkDestroyQueryPool, info, "vkCreateQueryPool");
+  if (!pool) return tl::unexpected(std::move(pool).error());
+  clock.pool_ = std::move(*pool);
+  return clock;
+}
+
+void Clock::begin(const VolkDeviceTable& api, VkCommandBuffer commands) const {
+  if (!pool_) return;
+  api.vkCmdResetQueryPool(commands, pool_.get(), 0, ends);
+  api.vkCmdWriteTimestamp(commands, VK_PIPELINE_STAGE_TOP_OF_PIPE_BIT, pool_.get(), 0);
+}
+
+void Clock::end(const VolkDeviceTable& api, VkCommandBuffer commands) const {
+  if (pool_) api.vkCmdWriteTimestamp(commands, VK_PIPELINE_STAGE_BOTTOM_OF_PIPE_BIT, pool_.get(), 1);
+}
+
+Result<void> Clock::take(VkDevice device, const VolkDeviceTable& api) {
+  if (!pool_) return {};
+  std::array<std::uint64_t, ends> ticks{};
+  VORPIPE_TRY(
+      check(api.vkGetQueryPoolResults(device, pool_.get(), 0, ends, sizeof(ticks), ticks.data(),
+                                      sizeof(ticks[0]), VK_QUERY_RESULT_64_BIT | VK_QUERY_RESULT_WAIT_BIT),
+            "vkGetQueryPoolResults"));
+  seconds_ += static_cast<double>((ticks[1] - ticks[0]) & valid_) * seconds_per_tick_;
+  return {};
+}
+
+namespace {
+
+constexpr auto long_time = std::chrono::seconds(3);
+
+/// Calls `late` if this lives longer than long_time.
+class Watch {
+ public:
+  explicit Watch(std::function<void()> late) {
+    try {
+      thread_ = std::jthread([this, late = std::move(late)](const std::stop_token& stop) {
+        std::unique_lock lock(mutex_);
+        over_.wait_for(lock, stop, long_time, [] { return false; });
+        if (!stop.stop_requested()) late();
+      });
+    } catch (const std::system_error&) {
+      // The system refused a thread: `late` is not called, and the pipeline is made all the same.
+    }
+  }
+
+ private:
+  std::mutex mutex_;
+  std::condition_variable_any over_;
+  std::jthread thread_;
+};
+
+}  // namespace
+
+VkResult PipelineLog::time(std::string_view name, const std::function<VkResult()>& make) {
+  const Stopwatch stopwatch;
+  VkResult result = VK_SUCCESS;
+  if (waiting_ && !told_) {
+    const Watch watch([&] {
+      told_ = true;
+      waiting_("the driver of " + device_ + " has been compiling the shader " + std::string(name) + " for " +
+               std::to_string(long_time.count()) + " s");
+    });
+    result = make();
+  } else {
+    result = make();
+  }
+  const std::lock_guard lock(mutex_);
+  if (result == VK_SUCCESS) made_.push_back({std::string(name), stopwatch.milliseconds()});
+  return result;
+}
+
+std::vector<PipelineTime> PipelineLog::take() {
+  const std::lock_guard lock(mutex_);
+  return std::exchange(made_, {});
+}
 
 Result<Device> Device::open(const Physical& physical, std::span<const char* const> wanted) {
   const float priority = 1.0F;
@@ -120,6 +227,15 @@ Result<void> Device::run(const std::function<void(VkCommandBuffer)>& record, con
   if (waited != VK_SUCCESS) api_->vkDeviceWaitIdle(device_);
   VORPIPE_TRY(check(waited, "vkWaitForFences"));
   return clock_.take(device_, *api_);
+}
+
+Result<Handle<VkShaderModule>> shaderModule(const Device& device, const shaders::Spirv& spirv) {
+  const auto code = device.unrolled() ? spirv.unrolled : spirv.rolled;
+  auto info = structure<VkShaderModuleCreateInfo>(VK_STRUCTURE_TYPE_SHADER_MODULE_CREATE_INFO);
+  info.codeSize = code.size_bytes();
+  info.pCode = code.data();
+  return create(device.handle(), device.api().vkCreateShaderModule, device.api().vkDestroyShaderModule, info,
+                "vkCreateShaderModule");
 }
 
 }  // namespace vorpipe::vulkan

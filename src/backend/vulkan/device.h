@@ -3,20 +3,67 @@
 
 #include <volk.h>
 
+#include <atomic>
 #include <cstdint>
 #include <functional>
 #include <memory>
+#include <mutex>
 #include <span>
+#include <string>
 #include <string_view>
 #include <utility>
+#include <vector>
 
-#include "backend/vulkan/clock.h"
 #include "backend/vulkan/handle.h"
 #include "backend/vulkan/physical.h"
-#include "backend/vulkan/pipeline_log.h"
+#include "shaders.h"
 #include "vorpipe.h"
 
 namespace vorpipe::vulkan {
+
+class Clock {
+ public:
+  /// Measures nothing until it is replaced.
+  Clock() = default;
+
+  /// Returns the clock of an opened device's queue; it measures nothing if the queue has no timestamps.
+  static Result<Clock> create(const Physical& physical, VkDevice device, const VolkDeviceTable& api);
+
+  /// Record the beginning and the end of all work into commands that are submitted once.
+  void begin(const VolkDeviceTable& api, VkCommandBuffer commands) const;
+  void end(const VolkDeviceTable& api, VkCommandBuffer commands) const;
+  /// Adds the time between the two, once the commands are done.
+  Result<void> take(VkDevice device, const VolkDeviceTable& api);
+
+  /// Returns the time added so far; negative if this measures nothing.
+  [[nodiscard]] double seconds() const { return pool_ ? seconds_ : -1; }
+
+ private:
+  Handle<VkQueryPool> pool_;  ///< two timestamps
+  std::uint64_t valid_ = 0;   ///< the valid bits of a timestamp
+  double seconds_per_tick_ = 0;
+  double seconds_ = 0;
+};
+
+class PipelineLog {
+ public:
+  /// `device` is the name of the device in messages. `waiting` is called once, for the first pipeline that
+  /// takes more than three seconds.
+  PipelineLog(std::string device, Waiting waiting)
+      : device_(std::move(device)), waiting_(std::move(waiting)) {}
+
+  /// Calls make, which has the driver make the pipeline of that name, and notes how long it took.
+  VkResult time(std::string_view name, const std::function<VkResult()>& make);
+  /// Returns the pipelines made since the last call.
+  std::vector<PipelineTime> take();
+
+ private:
+  std::string device_;
+  Waiting waiting_;
+  std::mutex mutex_;
+  std::vector<PipelineTime> made_;
+  std::atomic<bool> told_ = false;
+};
 
 /// What commands wait for, and what they signal when they are done. The host waits for the commands in any
 /// case; semaphores serve to pass images without the host.
@@ -68,5 +115,8 @@ class Device {
   Clock clock_;
   VkCommandBuffer commands_ = VK_NULL_HANDLE;
 };
+
+/// Of SPIR-V, with its loops or without, as the device gets it. Error (device): what Vulkan says.
+Result<Handle<VkShaderModule>> shaderModule(const Device& device, const shaders::Spirv& spirv);
 
 }  // namespace vorpipe::vulkan

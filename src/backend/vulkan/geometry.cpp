@@ -9,7 +9,7 @@
 #include "backend/view_uniform.h"
 #include "backend/vulkan/arithmetic.h"
 #include "backend/vulkan/error.h"
-#include "backend/vulkan/structure.h"
+#include "backend/vulkan/handle.h"
 
 namespace vorpipe::vulkan {
 namespace {

@@ -10,6 +10,14 @@
 
 namespace vorpipe::vulkan {
 
+/// A structure of a given type, zero otherwise.
+template <class T>
+constexpr T structure(VkStructureType type) {
+  T zero{};
+  zero.sType = type;
+  return zero;
+}
+
 template <class T>
 class Handle {
  public:

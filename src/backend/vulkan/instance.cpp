@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "backend/vulkan/error.h"
-#include "backend/vulkan/structure.h"
+#include "backend/vulkan/handle.h"
 
 namespace vorpipe::vulkan {
 namespace {

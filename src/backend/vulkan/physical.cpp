@@ -12,7 +12,7 @@
 
 #include "backend/cell_answers.h"
 #include "backend/vulkan/error.h"
-#include "backend/vulkan/structure.h"
+#include "backend/vulkan/handle.h"
 #include "layout.glsl"
 
 namespace vorpipe::vulkan {

@@ -7,9 +7,9 @@
 #include <utility>
 #include <vector>
 
+#include "backend/vulkan/device.h"
 #include "backend/vulkan/error.h"
-#include "backend/vulkan/shader_module.h"
-#include "backend/vulkan/structure.h"
+#include "backend/vulkan/handle.h"
 #include "backend/vulkan/target.h"
 #include "shaders.h"
 

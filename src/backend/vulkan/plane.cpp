@@ -3,9 +3,9 @@
 #include <utility>
 #include <vector>
 
+#include "backend/vulkan/buffer.h"
 #include "backend/vulkan/error.h"
-#include "backend/vulkan/memory.h"
-#include "backend/vulkan/structure.h"
+#include "backend/vulkan/handle.h"
 
 namespace vorpipe::vulkan {
 

@@ -9,7 +9,7 @@
 
 #include "backend/site_texels.h"
 #include "backend/vulkan/error.h"
-#include "backend/vulkan/structure.h"
+#include "backend/vulkan/handle.h"
 #include "shaders.h"
 
 namespace vorpipe::vulkan {

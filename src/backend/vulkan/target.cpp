@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "backend/vulkan/error.h"
-#include "backend/vulkan/structure.h"
+#include "backend/vulkan/handle.h"
 #include "vorpipe.h"
 
 namespace vorpipe::vulkan {

@@ -9,7 +9,7 @@
 #include <utility>
 
 #include "backend/vulkan/error.h"
-#include "backend/vulkan/structure.h"
+#include "backend/vulkan/handle.h"
 #include "backend/vulkan/target.h"
 #include "backend/vulkan/triangle_pipeline.h"
 #include "shaders.h"
