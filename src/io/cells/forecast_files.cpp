@@ -13,7 +13,7 @@ namespace {
 constexpr std::uint64_t number_size = sizeof(double), index_size = sizeof(std::int32_t);
 /// Bytes per site: of cellsMesh and of topologyOf with a table of positions; of text or features that are put
 /// together in memory, as measured.
-constexpr std::uint64_t mesh_site = 200, topology_site = 200, images_site = 36, text_site = 380,
+constexpr std::uint64_t mesh_site = 230, topology_site = 200, images_site = 36, text_site = 380,
                         edges_text_site = 550;
 
 /// Plans lists that grow by doubling, with `bytes` for each of `count` entries.
