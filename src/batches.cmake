@@ -50,7 +50,6 @@ endfunction()
 
 # Sources that are compiled each alone.
 set(vorpipe_alone
-    cells_vtk.cpp
     check/nearest_site.cpp
     cpu/nearest_site.cpp
     cells/mesh_cells.cpp

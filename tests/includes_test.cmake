@@ -69,7 +69,7 @@ set(users
     "^io/base/"
     "^io/base/content_hash\\.cpp$"
     "^base/geos\\.h$"
-    "^(domain/(geos_outline|hull|mended|repaired|validity)|io/cells/hole_triangles)\\."
+    "^(domain/(geos_outline|hull|mended|repaired|validity)|io/cells/cells_mesh)\\."
     "^domain/"
     "^cli/options/(command_line|help_format)\\.cpp$"
     "^base/parallel(_sort)?\\.cpp$"

@@ -7,7 +7,7 @@
 #include "cli/options/error_line.h"
 #include "io/base/extension.h"
 #include "io/cells/cell_attributes.h"
-#include "io/cells/cell_rings.h"
+#include "io/cells/cell_polygons.h"
 
 namespace vorpipe::cli {
 namespace {

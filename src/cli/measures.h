@@ -6,7 +6,7 @@
 
 #include "cli/forecast.h"
 #include "cli/input.h"
-#include "io/cells/measures_npz.h"
+#include "io/cells/cells_file.h"
 #include "io/sites/mapped_sites.h"
 #include "vorpipe/tiled.h"
 

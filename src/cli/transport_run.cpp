@@ -13,7 +13,7 @@
 #include "cli/progress.h"
 #include "io/base/error.h"
 #include "io/base/extension.h"
-#include "io/sites/masses_file.h"
+#include "io/sites/weights_file.h"
 #include "vorpipe/masses.h"
 
 namespace vorpipe::cli {

@@ -5,7 +5,6 @@
 
 #include "io/base/geometry_points.h"
 #include "io/cells/points_file.h"
-#include "io/sites/masses_file.h"
 #include "io/sites/sites_file.h"
 #include "io/sites/weights_file.h"
 #include "target.h"

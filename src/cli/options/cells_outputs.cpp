@@ -10,7 +10,6 @@
 #include "cli/options/standard_output.h"
 #include "io/base/error.h"
 #include "io/base/quoted.h"
-#include "io/cells/measures_npz.h"
 
 namespace vorpipe::cli {
 namespace {

@@ -11,7 +11,7 @@
 #include "cli/options/format_choice.h"
 #include "cli/options/parse.h"
 #include "io/sites/site_domain.h"
-#include "io/sites/site_table.h"
+#include "io/sites/sites_file.h"
 #include "vorpipe.h"
 
 namespace vorpipe::cli {

@@ -12,8 +12,8 @@
 #include "io/base/extension.h"
 #include "io/base/number.h"
 #include "io/base/quoted.h"
-#include "io/sites/degrees.h"
 #include "io/sites/outline_file.h"
+#include "io/sites/site_domain.h"
 
 namespace vorpipe::cli {
 namespace {

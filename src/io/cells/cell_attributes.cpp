@@ -2,11 +2,10 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <array>
-#include <string_view>
 #include <unordered_set>
+#include <utility>
 
+#include "io/base/attribute_fields.h"
 #include "io/base/field_text.h"
 #include "io/base/lower_case.h"
 #include "io/base/quoted.h"
@@ -14,34 +13,9 @@
 namespace vorpipe {
 namespace {
 
-/// Field names of all formats, so that an attribute has the same name in each; fid and geom are GeoPackage's.
-constexpr std::array<std::string_view, 21> own_fields{"fid",
-                                                      "geom",
-                                                      "site",
-                                                      "x",
-                                                      "y",
-                                                      "weight",
-                                                      "status",
-                                                      "owner",
-                                                      "area",
-                                                      "perimeter",
-                                                      "centroid",
-                                                      "centroid_x",
-                                                      "centroid_y",
-                                                      "vertices",
-                                                      "neighbors",
-                                                      "rings",
-                                                      "mass",
-                                                      "neighbor_shifts",
-                                                      "mass_centroid",
-                                                      "mass_centroid_x",
-                                                      "mass_centroid_y"};
-
-}  // namespace
-
-std::vector<std::string> attributeNames(std::span<const Attribute> attributes) {
-  std::unordered_set<std::string> taken{""};
-  for (const std::string_view field : own_fields) taken.emplace(field);
+/// Returns the names of attributes, none of which is in `taken`, in any case.
+std::vector<std::string> namesBeside(std::unordered_set<std::string> taken,
+                                     std::span<const Attribute> attributes) {
   std::vector<std::string> names;
   for (const Attribute& attribute : attributes) {
     std::string name = attribute.name();
@@ -49,6 +23,42 @@ std::vector<std::string> attributeNames(std::span<const Attribute> attributes) {
     names.push_back(std::move(name));
   }
   return names;
+}
+
+}  // namespace
+
+std::vector<std::string> attributeNames(std::span<const Attribute> attributes) {
+  // The fields of all formats, so that an attribute has the same name in each; fid and geom are GeoPackage's.
+  return namesBeside({"",
+                      "fid",
+                      "geom",
+                      "site",
+                      "x",
+                      "y",
+                      "weight",
+                      "status",
+                      "owner",
+                      "area",
+                      "perimeter",
+                      "centroid",
+                      "centroid_x",
+                      "centroid_y",
+                      "vertices",
+                      "neighbors",
+                      "rings",
+                      "mass",
+                      "neighbor_shifts",
+                      "mass_centroid",
+                      "mass_centroid_x",
+                      "mass_centroid_y"},
+                     attributes);
+}
+
+std::vector<std::string> pointAttributeNames(std::span<const Attribute> attributes) {
+  return namesBeside({"",         "fid",     "geom",     "x",      "y",        "lon",     "lat",
+                      "weight",   "w",       "r",        "radius", "lng",      "long",    "longitude",
+                      "latitude", "easting", "northing", "wkt",    "geometry", "the_geom"},
+                     attributes);
 }
 
 std::string renamingNote(std::span<const Attribute> attributes) {
@@ -64,6 +74,30 @@ std::string renamingNote(std::span<const Attribute> attributes) {
   return "renamed, since other fields have these names: " + renamed;
 }
 
+void printCsvNames(Bytes& text, std::span<const std::string> names) {
+  for (const std::string& name : names) {
+    text.push_back(',');
+    printCsvField(text, name);
+  }
+}
+
+void printCsvValues(Bytes& text, std::span<const Attribute> attributes, std::size_t site) {
+  for (const Attribute& attribute : attributes) {
+    text.push_back(',');
+    if (const auto value = attribute.at(site)) printCsvField(text, *value);
+  }
+}
+
+std::vector<std::string> jsonKeys(std::span<const std::string> names) {
+  std::vector<std::string> keys;
+  for (const std::string& name : names) {
+    Bytes key;
+    printJsonString(key, name);
+    keys.push_back(fmt::to_string(key) + ":");
+  }
+  return keys;
+}
+
 void printJsonValue(Bytes& text, const Attribute& attribute, std::size_t site) {
   const auto value = attribute.at(site);
   if (!value) {
@@ -75,8 +109,27 @@ void printJsonValue(Bytes& text, const Attribute& attribute, std::size_t site) {
   }
 }
 
-void printCsvValue(Bytes& text, const Attribute& attribute, std::size_t site) {
-  if (const auto value = attribute.at(site)) printCsvField(text, *value);
+void addAttributeFields(std::vector<LayerField>& fields, std::span<const Attribute> attributes,
+                        std::span<const std::string> names) {
+  for (std::size_t k = 0; k < names.size(); ++k) {
+    fields.push_back({utf8Of(names[k]), fieldType(attributes[k].type())});
+  }
+}
+
+std::string_view statusWord(Status status) {
+  return status == Status::ok ? "ok" : status == Status::empty ? "empty" : "duplicate";
+}
+
+void printNeighbors(Bytes& text, const Diagram& diagram, std::size_t site) {
+  const auto neighbors = diagram.cell(site).neighbors();
+  join(text, neighbors.size(), " ",
+       [&](Bytes& out, std::size_t k) { print(out, FMT_COMPILE("{}"), neighbors[k]); });
+}
+
+void printShifts(Bytes& text, const Diagram& diagram, std::size_t site) {
+  const auto shifts = diagram.cell(site).shifts();
+  join(text, shifts.size(), " ",
+       [&](Bytes& out, std::size_t k) { print(out, FMT_COMPILE("{}:{}"), shifts[k][0], shifts[k][1]); });
 }
 
 }  // namespace vorpipe

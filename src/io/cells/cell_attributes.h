@@ -1,13 +1,16 @@
-/// Attributes of the input as additional fields of cells.
+/// Fields of cells and sites that several formats share: attributes of the input, status, neighbors.
 #pragma once
 
 #include <cstddef>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "io/base/attribute.h"
+#include "io/base/geopackage.h"
 #include "io/base/print.h"
+#include "vorpipe.h"
 
 namespace vorpipe {
 
@@ -16,13 +19,34 @@ namespace vorpipe {
 /// only in case count as equal, as in databases.
 std::vector<std::string> attributeNames(std::span<const Attribute> attributes);
 
+/// The same for files of sites: the fields are names that readers take for a position or a weight.
+std::vector<std::string> pointAttributeNames(std::span<const Attribute> attributes);
+
 /// Returns a line that lists the attributes renamed in files of cells; empty if all keep their names.
 std::string renamingNote(std::span<const Attribute> attributes);
+
+/// Appends names as CSV fields, each after a comma.
+void printCsvNames(Bytes& text, std::span<const std::string> names);
+
+/// Appends a site's values as CSV fields, each after a comma; nothing for one that is missing.
+void printCsvValues(Bytes& text, std::span<const Attribute> attributes, std::size_t site);
+
+/// Returns names as JSON strings, each with the colon after it.
+std::vector<std::string> jsonKeys(std::span<const std::string> names);
 
 /// Appends a site's value as JSON; null if it is missing.
 void printJsonValue(Bytes& text, const Attribute& attribute, std::size_t site);
 
-/// Appends a site's value as a CSV field; nothing if it is missing.
-void printCsvValue(Bytes& text, const Attribute& attribute, std::size_t site);
+/// Appends the fields of a GeoPackage that hold attributes under these names.
+void addAttributeFields(std::vector<LayerField>& fields, std::span<const Attribute> attributes,
+                        std::span<const std::string> names);
+
+std::string_view statusWord(Status status);
+
+/// Appends the neighbors of a site, separated by spaces.
+void printNeighbors(Bytes& text, const Diagram& diagram, std::size_t site);
+
+/// Appends their shifts, each kx:ky, separated by spaces.
+void printShifts(Bytes& text, const Diagram& diagram, std::size_t site);
 
 }  // namespace vorpipe

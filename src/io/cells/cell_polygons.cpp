@@ -2,10 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdint>
 #include <optional>
-
-#include "io/cells/cell_rings.h"
 
 namespace vorpipe {
 namespace {
@@ -19,7 +16,7 @@ constexpr double half_turn = 180, whole_turn = 360, pole = 90;  // degrees
 class UnrolledRing {
  public:
   UnrolledRing(const Projection& projection, std::span<const Point> ring) : projection_(projection) {
-    if (!needsPlaces(ring)) return;
+    if (!needsPoints(ring)) return;
     for (const double latitude : {pole, -pole}) {
       const Point at = projection.toPlane({projection.center().x, latitude});
       if (std::isfinite(at.x) && std::isfinite(at.y)) poles_.push_back({latitude, at});
@@ -54,7 +51,7 @@ class UnrolledRing {
 
   static double lengthOf(Point a, Point b) { return std::hypot(b.x - a.x, b.y - a.y); }
 
-  static bool needsPlaces(std::span<const Point> ring) {
+  static bool needsPoints(std::span<const Point> ring) {
     constexpr double near = 89.99;
     for (std::size_t k = 0; k < ring.size(); ++k) {
       const Point &a = ring[k], &b = ring[k + 1 < ring.size() ? k + 1 : 0];
@@ -89,22 +86,22 @@ class UnrolledRing {
     if (const Pole* end = poleAt(to)) {
       points_.push_back({points_.back().x, end->latitude});
     } else if (const Pole* begin = poleAt(from)) {
-      leave(*begin, b);
+      continueFrom(*begin, b);
     } else if (const Pole* between = poleBetween(from, to)) {
       points_.push_back({points_.back().x, between->latitude});
-      leave(*between, b);
+      continueFrom(*between, b);
     } else {
       addBetween(a, from, b, to, lengthOf(from, to) * shortest);
       add(b);
     }
   }
 
-  /// Continues from a pole to a point. The inside lies to the left: west of a ring that comes to the north
-  /// pole, and east of one that comes to the south pole.
-  void leave(const Pole& from, Point to) {
-    const double came = points_.back().x;
-    const double east = to.x - came - whole_turn * std::floor((to.x - came) / whole_turn);
-    to.x = came + (from.latitude > 0 ? east - whole_turn : east);
+  /// Continues from a pole to a point. The inside lies to the left: west of a ring that reaches the north
+  /// pole, and east of one that reaches the south pole.
+  void continueFrom(const Pole& from, Point to) {
+    const double arrival = points_.back().x;
+    const double east = to.x - arrival - whole_turn * std::floor((to.x - arrival) / whole_turn);
+    to.x = arrival + (from.latitude > 0 ? east - whole_turn : east);
     points_.push_back({to.x, from.latitude});
     points_.push_back(to);
   }
@@ -175,12 +172,24 @@ Round roundOf(const std::vector<Point>& ring, int turns, double middle) {
 
 }  // namespace
 
+std::vector<Ring> ringsOf(const Diagram& diagram, std::size_t site) {
+  constexpr std::uint64_t least_vertices = 3;
+  const CellRings all = diagram.cell(site).rings();
+  std::vector<Ring> rings;
+  for (std::size_t r = 0; r < all.size(); ++r) {
+    if (all[r].size() >= least_vertices) rings.push_back({all.begin(r), all.end(r), all.isHole(r)});
+  }
+  return rings;
+}
+
+bool hasPolygon(const Diagram& diagram, std::size_t site) { return !ringsOf(diagram, site).empty(); }
+
 CellPolygons::CellPolygons(const Diagram& diagram, std::size_t site, const CoordinateSystem& system) {
   std::optional<Round> open;
   const auto close = [&](const std::vector<Point>& back) {
     std::vector<Point> ring = std::move(open->points);
     ring.insert(ring.end(), back.begin(), back.end());
-    polygons_.push_back({made_.emplace_back(std::move(ring))});
+    polygons_.push_back({new_rings_.emplace_back(std::move(ring))});
     open.reset();
   };
   const auto closeAtPole = [&] {
@@ -196,7 +205,7 @@ CellPolygons::CellPolygons(const Diagram& diagram, std::size_t site, const Coord
     if (projection) {
       UnrolledRing unrolled(*projection, vertices);
       if (unrolled.turns() != 0) round = roundOf(unrolled.points(), unrolled.turns(), center->x);
-      if (!unrolled.points().empty()) vertices = made_.emplace_back(std::move(unrolled.points()));
+      if (!unrolled.points().empty()) vertices = new_rings_.emplace_back(std::move(unrolled.points()));
     }
     if (!round) {
       if (ring.hole && !polygons_.empty()) {

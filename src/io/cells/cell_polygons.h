@@ -1,7 +1,8 @@
-/// Polygons of a cell for files of features.
+/// Rings of a cell, and its polygons for files of features.
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <list>
 #include <span>
 #include <vector>
@@ -10,6 +11,23 @@
 #include "vorpipe.h"
 
 namespace vorpipe {
+
+/// A closed line of at least three vertices; the first is not repeated at its end.
+struct Ring {
+  std::uint64_t begin, end;  ///< in Diagram::vertices
+  bool hole;
+};
+
+/// Returns the rings of the site's cell in the diagram's order: each outer ring, then its holes. None if the
+/// cell has no polygon.
+std::vector<Ring> ringsOf(const Diagram& diagram, std::size_t site);
+
+/// Whether the site's cell has a polygon.
+bool hasPolygon(const Diagram& diagram, std::size_t site);
+
+inline std::span<const Point> verticesOf(const Diagram& diagram, const Ring& ring) {
+  return std::span(diagram.vertices).subspan(ring.begin, ring.end - ring.begin);
+}
 
 /// The polygons of a cell. Each is a list of rings of points: an outer ring, then its holes. A ring does not
 /// repeat its first point. In degrees from a projection, strongly bent edges get points in between (decision
@@ -28,7 +46,7 @@ class CellPolygons {
 
  private:
   std::vector<Rings> polygons_;
-  std::list<std::vector<Point>> made_;  ///< rings that are not in the diagram
+  std::list<std::vector<Point>> new_rings_;  ///< rings that are not in the diagram
 };
 
 }  // namespace vorpipe

@@ -6,35 +6,45 @@
 
 #include "io/base/error.h"
 #include "io/base/format_list.h"
+#include "io/cells/cells_writers.h"
 
 namespace vorpipe {
-
-// One line for each kind of file: the name of what cells_NAME.cpp defines, NAME_cells.
-// clang-format off
-#define CELLS_FORMATS(format) \
-  format(csv)                 \
-  format(npz)                 \
-  format(geojson)             \
-  format(geojsonl)            \
-  format(gpkg)                \
-  format(svg)                 \
-  format(obj)                 \
-  format(ply)                 \
-  format(vtk)                 \
-  format(vtp)                 \
-  format(vtu)                 \
-  format(wkt)
-// clang-format on
-
-#define DECLARED(name) extern const CellsFormat name##_cells;
-CELLS_FORMATS(DECLARED)
-#undef DECLARED
-
 namespace {
 
-#define LISTED(name) &name##_cells,
-constexpr std::array cells_formats{CELLS_FORMATS(LISTED)};
-#undef LISTED
+/// A mesh format.
+constexpr CellsFormat meshFormat(std::string_view extension,
+                                 Result<void> (*write)(ByteSink& sink, const CellsOutput& output)) {
+  return {.extension = extension, .detail = Detail::polygons, .write = write, .mesh = true};
+}
+
+/// A format of features, which contains attributes.
+constexpr CellsFormat featureFormat(std::string_view extension,
+                                    Result<void> (*write)(ByteSink& sink, const CellsOutput& output),
+                                    bool in_memory = false) {
+  return {.extension = extension,
+          .detail = Detail::polygons,
+          .write = write,
+          .attributes = true,
+          .features = true,
+          .in_memory = in_memory};
+}
+
+constexpr CellsFormat csv_cells{
+    .extension = ".csv", .detail = Detail::polygons, .write = writeCsvCells, .attributes = true},
+    npz_cells{.extension = ".npz", .detail = Detail::everything, .write = writeNpzCells},
+    svg_cells{.extension = ".svg", .detail = Detail::polygons, .write = writeSvgCells},
+    wkt_cells{.extension = ".wkt", .detail = Detail::polygons, .write = writeWktCells};
+constexpr CellsFormat geojson_cells = featureFormat(".geojson", writeGeojsonCells),
+                      geojsonl_cells = featureFormat(".geojsonl", writeGeojsonlCells),
+                      gpkg_cells = featureFormat(".gpkg", writeGpkgCells, /*in_memory=*/true);
+constexpr CellsFormat obj_cells = meshFormat(".obj", writeObjCells),
+                      ply_cells = meshFormat(".ply", writePlyCells),
+                      vtk_cells = meshFormat(".vtk", writeVtkCells),
+                      vtp_cells = meshFormat(".vtp", writeVtpCells),
+                      vtu_cells = meshFormat(".vtu", writeVtuCells);
+constexpr std::array cells_formats{&csv_cells,  &npz_cells, &geojson_cells, &geojsonl_cells,
+                                   &gpkg_cells, &svg_cells, &obj_cells,     &ply_cells,
+                                   &vtk_cells,  &vtp_cells, &vtu_cells,     &wkt_cells};
 constexpr std::span<const CellsFormat* const> all_cells_formats(cells_formats);
 
 }  // namespace

@@ -1,6 +1,7 @@
 /// Writes cells as a file of any known kind.
 #pragma once
 
+#include <cstdint>
 #include <span>
 #include <string>
 #include <string_view>
@@ -23,7 +24,7 @@ struct CellsOutput {
   int threads = 0;                          ///< that format text; 0 for all
 };
 
-/// A kind of file for cells. Each has a file of its own, cells_NAME.cpp, and a line in cells_file.cpp.
+/// A kind of file for cells. Each has a writer in cells_writers.h, and a line in cells_file.cpp.
 struct CellsFormat {
   std::string_view extension;
   Detail detail;  ///< the parts of a Diagram that it writes
@@ -45,5 +46,20 @@ Result<const CellsFormat*> cellsFormatOf(const std::string& path);
 /// text read back to the same double, except in .svg, which is in pixels. Errors: .obj, .ply or .vtk with
 /// more vertices than its indices can count (input); writing failed or memory ran out (device).
 Result<void> writeCells(ByteSink& sink, const CellsOutput& output, const CellsFormat& format);
+
+/// Measures of cells that need no edges, each by site.
+struct MeasuresOfCells {
+  std::span<const double> area;
+  std::span<const Point> centroid;
+  std::span<const std::uint32_t> neighbors;  ///< how many
+  std::span<const Status> status;
+};
+
+/// Writes an .npz file with arrays of N sites: areas (N) and centroids (N, 2), float64; neighbor_counts
+/// uint32 (N); status uint8 (N) with 0 ok, 1 empty, 2 duplicate. Errors: those of writeZip.
+Result<void> writeMeasures(ByteSink& sink, const MeasuresOfCells& measures);
+
+/// The same for a diagram. Its extension is .npz, which also names another format.
+extern const CellsFormat npz_measures;
 
 }  // namespace vorpipe

@@ -1,15 +1,11 @@
 #include <string>
-#include <utility>
 #include <vector>
 
 #include "io/base/attribute_fields.h"
-#include "io/base/field_text.h"
 #include "io/base/geopackage.h"
 #include "io/cells/cell_attributes.h"
 #include "io/cells/cell_polygons.h"
-#include "io/cells/cell_records.h"
-#include "io/cells/cell_rings.h"
-#include "io/cells/cells_file.h"
+#include "io/cells/cells_writers.h"
 
 namespace vorpipe {
 namespace {
@@ -31,10 +27,7 @@ std::vector<LayerField> fieldsOf(const CellsOutput& output) {
   add(FieldType::text, {"neighbors"});
   if (!diagram.neighbor_shifts.empty()) add(FieldType::text, {"neighbor_shifts"});
   if (!diagram.ring_starts.empty()) add(FieldType::integer, {"rings"});
-  const auto names = attributeNames(output.attributes);
-  for (std::size_t k = 0; k < names.size(); ++k) {
-    fields.push_back({utf8Of(names[k]), fieldType(output.attributes[k].type())});
-  }
+  addAttributeFields(fields, output.attributes, attributeNames(output.attributes));
   return fields;
 }
 
@@ -104,23 +97,13 @@ class Rows {
   Bytes text_;
 };
 
-/// A GeoPackage with the layer `cells`, of MultiPolygons, NULL if there is no cell. Its fields are the
-/// columns of .csv and `owner`; weight, mass and the like only if there are some.
+}  // namespace
+
 Result<void> writeGpkgCells(ByteSink& sink, const CellsOutput& output) {
   const Layer layer{"cells", GeometryType::multi_polygon, fieldsOf(output), output.system};
   Rows rows(output);
   return writeGeoPackage(sink, layer, output.sites.size(),
                          [&](std::size_t site, FeatureRow& row) { return rows.fill(site, row); });
 }
-
-}  // namespace
-
-extern const CellsFormat gpkg_cells;
-const CellsFormat gpkg_cells{.extension = ".gpkg",
-                             .detail = Detail::polygons,
-                             .write = writeGpkgCells,
-                             .attributes = true,
-                             .features = true,
-                             .in_memory = true};
 
 }  // namespace vorpipe

@@ -3,16 +3,63 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <array>
 #include <limits>
 #include <optional>
 #include <utility>
 
+#include "base/geos.h"
 #include "io/base/error.h"
-#include "io/cells/cell_rings.h"
-#include "io/cells/hole_triangles.h"
+#include "io/cells/cell_polygons.h"
 
 namespace vorpipe {
 namespace {
+
+/// Splits `rings` into polygons, each an outer ring and its holes.
+std::vector<std::span<const Ring>> piecesOf(std::span<const Ring> rings) {
+  std::vector<std::span<const Ring>> pieces;
+  while (!rings.empty()) {
+    const auto next =
+        std::find_if(rings.begin() + 1, rings.end(), [](const Ring& ring) { return !ring.hole; });
+    const auto size = static_cast<std::size_t>(next - rings.begin());
+    pieces.push_back(rings.first(size));
+    rings = rings.subspan(size);
+  }
+  return pieces;
+}
+
+using Triangles = std::vector<std::array<Point, 3>>;
+
+std::array<Point, 3> cornersOf(GEOSContextHandle_t context, const GEOSGeometry* triangle) {
+  const auto* const sequence = GEOSGeom_getCoordSeq_r(context, GEOSGetExteriorRing_r(context, triangle));
+  std::array<Point, 3> corners{};
+  for (unsigned k = 0; k < corners.size(); ++k) {
+    GEOSCoordSeq_getXY_r(context, sequence, k, &corners[k].x, &corners[k].y);
+  }
+  char counter_clockwise = 1;
+  GEOSCoordSeq_isCCW_r(context, sequence, &counter_clockwise);
+  if (counter_clockwise == 0) std::swap(corners[1], corners[2]);
+  return corners;
+}
+
+/// Returns counter-clockwise triangles that fill a piece of a cell, using only its vertices; none if GEOS
+/// finds that the rings form no polygon.
+std::optional<Triangles> trianglesOf(const Diagram& diagram, std::span<const Ring> piece) {
+  const Geos geos;
+  std::vector<GeosGeometry> rings;
+  for (const Ring& ring : piece) rings.push_back(geosRing(geos, verticesOf(diagram, ring)));
+  const GeosGeometry polygon = geosPolygon(geos, std::move(rings));
+  if (!polygon) return std::nullopt;
+  const GeosGeometry found =
+      owned(geos, GEOSConstrainedDelaunayTriangulation_r(geos.handle(), polygon.get()));
+  if (!found) return std::nullopt;
+  const int count = GEOSGetNumGeometries_r(geos.handle(), found.get());
+  Triangles triangles;
+  for (int k = 0; k < count; ++k) {
+    triangles.push_back(cornersOf(geos.handle(), GEOSGetGeometryN_r(geos.handle(), found.get(), k)));
+  }
+  return triangles;
+}
 
 class MeshMaker {
  public:
@@ -49,19 +96,19 @@ class MeshMaker {
 
   /// Numbers the points in the order of first use by the faces, and drops unused ones.
   void numberPoints() {
-    if (in_order_ && met_ == mesh_.points.size()) return;
+    if (in_order_ && used_ == mesh_.points.size()) return;
     std::vector<std::uint32_t>().swap(vertex_of_);
-    constexpr std::int32_t not_met = -1;
-    std::vector<std::int32_t> number(mesh_.points.size(), not_met);
+    constexpr std::int32_t unused = -1;
+    std::vector<std::int32_t> number(mesh_.points.size(), unused);
     std::vector<Point> points;
     points.reserve(mesh_.points.size());
     for (std::int32_t& corner : mesh_.corners) {
-      const auto known = static_cast<std::size_t>(corner);
-      if (number[known] == not_met) {
-        number[known] = static_cast<std::int32_t>(points.size());
-        points.push_back(mesh_.points[known]);
+      const auto point = static_cast<std::size_t>(corner);
+      if (number[point] == unused) {
+        number[point] = static_cast<std::int32_t>(points.size());
+        points.push_back(mesh_.points[point]);
       }
-      corner = number[known];
+      corner = number[point];
     }
     mesh_.points = std::move(points);
   }
@@ -69,8 +116,8 @@ class MeshMaker {
  private:
   void addCorner(std::uint64_t entry) {
     const std::uint32_t vertex = vertex_of_[entry];
-    if (vertex > met_) in_order_ = false;
-    if (vertex == met_) ++met_;
+    if (vertex > used_) in_order_ = false;
+    if (vertex == used_) ++used_;
     mesh_.corners.push_back(static_cast<std::int32_t>(vertex));
   }
   void endFace(std::uint32_t site) {
@@ -97,9 +144,9 @@ class MeshMaker {
   static bool isBefore(const Point& a, const Point& b) { return a.x != b.x ? a.x < b.x : a.y < b.y; }
 
   const Diagram& diagram_;
-  std::vector<std::uint32_t> vertex_of_;  ///< by place in Diagram::vertices
+  std::vector<std::uint32_t> vertex_of_;  ///< by position in Diagram::vertices
   CellsMesh& mesh_;
-  std::size_t met_ = 0;  ///< points used by corners so far, while they are in order
+  std::size_t used_ = 0;  ///< points used by corners so far, while they are in order
   bool in_order_ = true;
 };
 

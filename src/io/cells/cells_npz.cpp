@@ -1,23 +1,12 @@
-#include <array>
 #include <cstdint>
-#include <span>
-#include <string>
 #include <string_view>
-#include <utility>
 #include <vector>
 
-#include "io/base/npy_array.h"
-#include "io/base/zip_file.h"
-#include "io/cells/cells_file.h"
+#include "io/cells/cells_writers.h"
+#include "io/cells/npz_arrays.h"
 
 namespace vorpipe {
 namespace {
-
-template <class Number, std::uint64_t columns = 1, class Row>
-void add(std::vector<ZipEntry>& entries, const char* name, const std::vector<Row>& rows) {
-  NpyArray array = npyArray<Number, columns>(std::span<const Row>(rows));
-  entries.push_back({std::string(name) + ".npy", std::move(array.header), zipBody(array.elements)});
-}
 
 /// Positions as pairs, made on demand: tens of millions of sites are not copied.
 ZipBody pairsOf(const Sites& sites) {
@@ -34,50 +23,55 @@ ZipBody pairsOf(const Sites& sites) {
           }};
 }
 
-/// Arrays of N sites, M vertices and T triangles: sites (N, 2), weights (N) if sites have them, status uint8
-/// (N) with 0 ok, 1 empty, 2 duplicate, owners uint32 (N), areas (N), perimeters (N), centroids (N, 2),
-/// second_moments (N, 3), cell_offsets int64 (N + 1), cell_vertices (M, 2), neighbor_offsets int64 (N + 1),
-/// neighbors int64 (M), edge_lengths (M), triangles uint32 (T, 3); float64 unless stated. If a diagram has
-/// them: neighbor_shifts int32 (M, 2); ring_starts int64, one for each ring; mass (N) and mass_centroids (N,
-/// 2).
-Result<void> writeNpzCells(ByteSink& sink, const CellsOutput& output) {
-  const Sites& sites = output.sites;
+Result<void> writeMeasuresOf(ByteSink& sink, const CellsOutput& output) {
   const Diagram& diagram = output.diagram;
-  std::vector<ZipEntry> entries;
-  const std::uint64_t shape[] = {sites.size(), 2};
-  entries.push_back({"sites.npy", npyHeader(npyType<double>(), shape), pairsOf(sites)});
-  if (!sites.weight.empty()) {
-    add<double>(entries, "weights", sites.weight);
+  std::vector<std::uint32_t> neighbors(diagram.size());
+  for (std::size_t i = 0; i < neighbors.size(); ++i) {
+    neighbors[i] = static_cast<std::uint32_t>(diagram.cell_offsets[i + 1] - diagram.cell_offsets[i]);
   }
-  add<std::uint8_t>(entries, "status", diagram.status);
-  add<std::uint32_t>(entries, "owners", diagram.owner);
-  add<double>(entries, "areas", diagram.area);
-  add<double>(entries, "perimeters", diagram.perimeter);
-  add<double, 2>(entries, "centroids", diagram.centroid);
-  add<double, 3>(entries, "second_moments", diagram.second_moments);
-  // Offsets are signed because NumPy's sum of uint64 and int64 is float64.
-  add<std::int64_t>(entries, "cell_offsets", diagram.cell_offsets);
-  add<double, 2>(entries, "cell_vertices", diagram.vertices);
-  add<std::int64_t>(entries, "neighbor_offsets", diagram.cell_offsets);
-  add<std::int64_t>(entries, "neighbors", diagram.neighbors);
-  if (!diagram.neighbor_shifts.empty()) {
-    add<std::int32_t, 2>(entries, "neighbor_shifts", diagram.neighbor_shifts);
-  }
-  if (!diagram.ring_starts.empty()) {
-    add<std::int64_t>(entries, "ring_starts", diagram.ring_starts);
-  }
-  if (!diagram.mass.empty()) {
-    add<double>(entries, "mass", diagram.mass);
-    add<double, 2>(entries, "mass_centroids", diagram.mass_centroid);
-  }
-  add<double>(entries, "edge_lengths", diagram.edge_lengths);
-  add<std::uint32_t, 3>(entries, "triangles", diagram.triangles);
-  return writeZip(sink, entries);
+  return writeMeasures(sink, {diagram.area, diagram.centroid, neighbors, diagram.status});
 }
 
 }  // namespace
 
-extern const CellsFormat npz_cells;
-const CellsFormat npz_cells{.extension = ".npz", .detail = Detail::everything, .write = writeNpzCells};
+Result<void> writeNpzCells(ByteSink& sink, const CellsOutput& output) {
+  const Sites& sites = output.sites;
+  const Diagram& diagram = output.diagram;
+  NpzArrays arrays;
+  const std::uint64_t shape[] = {sites.size(), 2};
+  arrays.add("sites", npyHeader(npyType<double>(), shape), pairsOf(sites));
+  arrays.addUnlessEmpty<double>("weights", sites.weight);
+  arrays.add<std::uint8_t>("status", diagram.status);
+  arrays.add<std::uint32_t>("owners", diagram.owner);
+  arrays.add<double>("areas", diagram.area);
+  arrays.add<double>("perimeters", diagram.perimeter);
+  arrays.add<double, 2>("centroids", diagram.centroid);
+  arrays.add<double, 3>("second_moments", diagram.second_moments);
+  // Offsets are signed because NumPy's sum of uint64 and int64 is float64.
+  arrays.add<std::int64_t>("cell_offsets", diagram.cell_offsets);
+  arrays.add<double, 2>("cell_vertices", diagram.vertices);
+  arrays.add<std::int64_t>("neighbor_offsets", diagram.cell_offsets);
+  arrays.add<std::int64_t>("neighbors", diagram.neighbors);
+  arrays.addUnlessEmpty<std::int32_t, 2>("neighbor_shifts", diagram.neighbor_shifts);
+  arrays.addUnlessEmpty<std::int64_t>("ring_starts", diagram.ring_starts);
+  if (!diagram.mass.empty()) {
+    arrays.add<double>("mass", diagram.mass);
+    arrays.add<double, 2>("mass_centroids", diagram.mass_centroid);
+  }
+  arrays.add<double>("edge_lengths", diagram.edge_lengths);
+  arrays.add<std::uint32_t, 3>("triangles", diagram.triangles);
+  return arrays.write(sink);
+}
+
+Result<void> writeMeasures(ByteSink& sink, const MeasuresOfCells& measures) {
+  NpzArrays arrays;
+  arrays.add<double>("areas", measures.area);
+  arrays.add<double, 2>("centroids", measures.centroid);
+  arrays.add<std::uint32_t>("neighbor_counts", measures.neighbors);
+  arrays.add<std::uint8_t>("status", measures.status);
+  return arrays.write(sink);
+}
+
+const CellsFormat npz_measures{.extension = ".npz", .detail = Detail::measures, .write = writeMeasuresOf};
 
 }  // namespace vorpipe

@@ -4,8 +4,7 @@
 #include "base/try.h"
 #include "io/base/print.h"
 #include "io/cells/cell_polygons.h"
-#include "io/cells/cell_rings.h"
-#include "io/cells/cells_file.h"
+#include "io/cells/cells_writers.h"
 
 namespace vorpipe {
 namespace {
@@ -20,9 +19,7 @@ struct PixelMap {
 /// Uses the box of all vertices. It is the domain if cells tile it; cells of a periodic domain extend beyond
 /// it and are shown whole.
 PixelMap pixelMap(const Diagram& diagram) {
-  if (diagram.vertices.empty()) {
-    return {0, 0, 1, longer_side, longer_side};
-  }
+  if (diagram.vertices.empty()) return {0, 0, 1, longer_side, longer_side};
   const Box box = boxOf(diagram.vertices);
   const double width = box.xmax - box.xmin, height = box.ymax - box.ymin;
   const double scale = longer_side / std::max(width, height);
@@ -72,9 +69,7 @@ void printVertices(Bytes& text, const PixelMap& map, std::span<const Point> vert
 void printCell(Bytes& text, const PixelMap& map, const CellsOutput& output, std::size_t site) {
   const Diagram& diagram = output.diagram;
   const CellPolygons cell(diagram, site, output.system);
-  if (cell.empty()) {
-    return;
-  }
+  if (cell.empty()) return;
   const bool is_simple = cell.size() == 1 && cell[0].size() == 1;
   const std::string_view shape = is_simple ? "polygon" : "path";
   print(text, FMT_COMPILE("<{} fill=\"#{:06x}\" {}=\""), shape, fillColor(site), is_simple ? "points" : "d");
@@ -92,7 +87,8 @@ void printCell(Bytes& text, const PixelMap& map, const CellsOutput& output, std:
   print(text, FMT_COMPILE("\"><title>site {}, area {}</title></{}>\n"), site, diagram.area[site], shape);
 }
 
-/// The longer side is 1000 pixels, the largest y is at the top; a site's hue follows from its index.
+}  // namespace
+
 Result<void> writeSvgCells(ByteSink& sink, const CellsOutput& output) {
   const Diagram& diagram = output.diagram;
   const PixelMap map = pixelMap(diagram);
@@ -104,16 +100,8 @@ Result<void> writeSvgCells(ByteSink& sink, const CellsOutput& output) {
       map.width, map.height, strokeWidth(map, diagram));
   VORPIPE_TRY(sink.write(head));
   const auto put = [&](Bytes& text, std::size_t site) { printCell(text, map, output, site); };
-  auto polygons = writeEach(sink, diagram.status.size(), put, output.threads);
-  if (!polygons) {
-    return polygons;
-  }
+  VORPIPE_TRY(writeEach(sink, diagram.status.size(), put, output.threads));
   return sink.write("</svg>\n");
 }
-
-}  // namespace
-
-extern const CellsFormat svg_cells;
-const CellsFormat svg_cells{.extension = ".svg", .detail = Detail::polygons, .write = writeSvgCells};
 
 }  // namespace vorpipe

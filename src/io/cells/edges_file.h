@@ -1,7 +1,6 @@
 /// Writes the edges of cells as lines, in a file of any known kind.
 #pragma once
 
-#include <cstddef>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -20,18 +19,7 @@ struct EdgesOutput {
   int threads = 0;            ///< that format text; 0 for all
 };
 
-/// An edge as seen from its first cell.
-struct EdgeLine {
-  Point begin, end;
-  std::int64_t site_a;  ///< on its left
-  std::int64_t site_b;  ///< on its right: a site, or a wall (isWall())
-  double length;
-};
-
-/// Edge `edge` of the topology. In a periodic domain its position is that in the cell of `site_a`.
-EdgeLine edgeLine(const EdgesOutput& output, std::size_t edge);
-
-/// A kind of file for edges. Each has a file of its own, edges_NAME.cpp, and a line in edges_file.cpp.
+/// A kind of file for edges. Each has a writer and a line in edges_file.cpp.
 struct EdgesFormat {
   std::string_view extension;
   /// The errors are those of writeEdges.

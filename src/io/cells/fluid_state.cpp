@@ -12,28 +12,12 @@
 
 #include "base/try.h"
 #include "io/base/error.h"
-#include "io/base/npy_array.h"
 #include "io/base/npz_file.h"
 #include "io/base/quoted.h"
-#include "io/base/zip_file.h"
+#include "io/cells/npz_arrays.h"
 
 namespace vorpipe {
 namespace {
-
-/// Arrays of an archive, in the order in which they were added.
-class Archive {
- public:
-  template <class Number, std::uint64_t columns = 1, class Row>
-  void add(const char* name, std::span<const Row> rows) {
-    if (rows.empty()) return;
-    NpyArray array = npyArray<Number, columns>(rows);
-    entries_.push_back({std::string(name) + ".npy", std::move(array.header), zipBody(array.elements)});
-  }
-  Result<void> write(ByteSink& sink) const { return writeZip(sink, entries_); }
-
- private:
-  std::vector<ZipEntry> entries_;
-};
 
 template <class Value>
 std::span<const Value> one(const Value& value) {
@@ -125,39 +109,40 @@ class Reader {
 }  // namespace
 
 Result<void> writeFluid(ByteSink& sink, const FluidState& state, const FluidOptions& options) {
-  std::vector<Point> places;
-  for (std::size_t i = 0; i < state.sites.size(); ++i) places.push_back({state.sites.x[i], state.sites.y[i]});
+  std::vector<Point> positions;
+  for (std::size_t i = 0; i < state.sites.size(); ++i) {
+    positions.push_back({state.sites.x[i], state.sites.y[i]});
+  }
   const Box& box = options.domain;
   const std::array<double, 4> domain{box.xmin, box.ymin, box.xmax, box.ymax};
-  const auto spanOf = [](const auto& values) { return std::span(values.data(), values.size()); };
   const std::array<std::uint8_t, 3> names{static_cast<std::uint8_t>(options.periodic),
                                           static_cast<std::uint8_t>(options.surface),
                                           static_cast<std::uint8_t>(options.scheme)};
-  Archive archive;
-  archive.add<double, 2>("sites", spanOf(places));
-  archive.add<double>("weights", spanOf(state.sites.weight));
-  archive.add<double, 2>("velocity", spanOf(state.velocity));
-  archive.add<double>("volume", spanOf(state.volume));
-  archive.add<double>("density", spanOf(state.density));
-  archive.add<double>("pressure", spanOf(state.pressure));
-  archive.add<double>("trend", spanOf(state.trend));
-  archive.add<std::uint32_t>("order", spanOf(state.order));
-  archive.add<double>("domain", spanOf(domain));
-  archive.add<double>("gravity", std::span(&options.gravity.x, 2));
+  NpzArrays arrays;
+  arrays.addUnlessEmpty<double, 2>("sites", positions);
+  arrays.addUnlessEmpty<double>("weights", state.sites.weight);
+  arrays.addUnlessEmpty<double, 2>("velocity", state.velocity);
+  arrays.addUnlessEmpty<double>("volume", state.volume);
+  arrays.addUnlessEmpty<double>("density", state.density);
+  arrays.addUnlessEmpty<double>("pressure", state.pressure);
+  arrays.addUnlessEmpty<double>("trend", state.trend);
+  arrays.addUnlessEmpty<std::uint32_t>("order", state.order);
+  arrays.add<double>("domain", domain);
+  arrays.add<double>("gravity", std::span(&options.gravity.x, 2));
   if (state.carried.x != 0 || state.carried.y != 0)
-    archive.add<double>("carried", std::span(&state.carried.x, 2));
-  archive.add<double>("time", one(state.time));
-  archive.add<double>("until", one(options.until));
-  archive.add<double>("length", one(options.step));
+    arrays.add<double>("carried", std::span(&state.carried.x, 2));
+  arrays.add<double>("time", one(state.time));
+  arrays.add<double>("until", one(options.until));
+  arrays.add<double>("length", one(options.step));
   const double epsilon = options.epsilon != 0 ? options.epsilon : state.epsilon;
-  archive.add<double>("epsilon", one(epsilon));
-  archive.add<double>("tolerance", one(options.tolerance));
-  archive.add<std::uint64_t>("step", one(state.step));
-  archive.add<std::uint64_t>("diagrams", one(options.diagrams));
-  archive.add<std::uint8_t>("periodic", one(names[0]));
-  archive.add<std::uint8_t>("surface", one(names[1]));
-  archive.add<std::uint8_t>("scheme", one(names[2]));
-  return archive.write(sink);
+  arrays.add<double>("epsilon", one(epsilon));
+  arrays.add<double>("tolerance", one(options.tolerance));
+  arrays.add<std::uint64_t>("step", one(state.step));
+  arrays.add<std::uint64_t>("diagrams", one(options.diagrams));
+  arrays.add<std::uint8_t>("periodic", one(names[0]));
+  arrays.add<std::uint8_t>("surface", one(names[1]));
+  arrays.add<std::uint8_t>("scheme", one(names[2]));
+  return arrays.write(sink);
 }
 
 Result<FluidSetup> readFluid(const std::string& path) {
@@ -171,9 +156,9 @@ Result<FluidSetup> readFluid(const std::string& path) {
   FluidOptions& options = setup.options;
   VORPIPE_TRY(checkNames(*file));
   Reader read(*file);
-  for (const Point place : pointsOf(read.many<double>("sites", 2))) {
-    state.sites.x.push_back(place.x);
-    state.sites.y.push_back(place.y);
+  for (const Point position : pointsOf(read.many<double>("sites", 2))) {
+    state.sites.x.push_back(position.x);
+    state.sites.y.push_back(position.y);
   }
   state.sites.weight = read.many<double>("weights");
   state.velocity = pointsOf(read.many<double>("velocity", 2));

@@ -20,7 +20,7 @@ struct PointsOutput {
   int threads = 0;  ///< that format text; 0 for all
 };
 
-/// A kind of file for sites. Each has a file of its own, points_NAME.cpp, and a line in points_file.cpp.
+/// A kind of file for sites. Each has a writer and a line in points_file.cpp.
 struct PointsFormat {
   std::string_view extension;
   /// The errors are those of writePoints.
@@ -39,9 +39,5 @@ Result<const PointsFormat*> pointsFormatOf(const std::string& path);
 /// give equal bytes. Errors: too many attributes for the kind of file (input); writing failed or memory ran
 /// out (device).
 Result<void> writePoints(ByteSink& sink, const PointsOutput& output, const PointsFormat& format);
-
-/// Returns the names of attributes in such files: their own, but with the prefix input_ if positions or
-/// weights use the name.
-std::vector<std::string> pointAttributeNames(std::span<const Attribute> attributes);
 
 }  // namespace vorpipe

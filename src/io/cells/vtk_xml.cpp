@@ -32,12 +32,18 @@ std::string headerOf(const VtkPiece& piece) {
 Result<void> writeArray(ByteSink& sink, const VtkArray& array) {
   Bytes length;
   appendNumber<std::endian::little>(length, array.bytes);
-  return sink.write({length.data(), length.size()}).and_then([&] {
-    return writeEach(sink, array.rows, array.put);
-  });
+  VORPIPE_TRY(writeAll(sink, length));
+  return writeEach(sink, array.rows, array.put);
 }
 
 }  // namespace
+
+std::string polyDataCounts(std::uint64_t points, std::uint64_t lines, std::uint64_t polygons) {
+  return fmt::format(
+      "NumberOfPoints=\"{}\" NumberOfVerts=\"0\" NumberOfLines=\"{}\" NumberOfStrips=\"0\" "
+      "NumberOfPolys=\"{}\"",
+      points, lines, polygons);
+}
 
 Result<void> writeVtkXml(ByteSink& sink, const VtkPiece& piece) {
   VORPIPE_TRY(sink.write(headerOf(piece)));
@@ -47,6 +53,25 @@ Result<void> writeVtkXml(ByteSink& sink, const VtkPiece& piece) {
     }
   }
   return sink.write("\n</AppendedData>\n</VTKFile>\n");
+}
+
+VtkSection meshPoints(const CellsMesh& mesh) {
+  return {"Points",
+          {vtkPoints("Points", mesh.points.size(), [&mesh](std::size_t i) { return mesh.points[i]; })}};
+}
+
+std::vector<VtkArray> meshFaces(const CellsMesh& mesh) {
+  return {vtkNumbers<std::int64_t>("connectivity", mesh.corners.size(),
+                                   [&mesh](std::size_t k) { return mesh.corners[k]; }),
+          vtkNumbers<std::int64_t>("offsets", mesh.size(),
+                                   [&mesh](std::size_t face) { return mesh.offsets[face + 1]; })};
+}
+
+Result<void> writeMeshVtp(ByteSink& sink, const CellsMesh& mesh, std::vector<VtkArray> face_data) {
+  return writeVtkXml(sink,
+                     {"PolyData",
+                      polyDataCounts(mesh.points.size(), 0, mesh.size()),
+                      {meshPoints(mesh), {"Polys", meshFaces(mesh)}, {"CellData", std::move(face_data)}}});
 }
 
 }  // namespace vorpipe

@@ -12,6 +12,7 @@
 #include "io/base/byte_order.h"
 #include "io/base/byte_sink.h"
 #include "io/base/print.h"
+#include "io/cells/cells_mesh.h"
 #include "vorpipe.h"
 
 namespace vorpipe {
@@ -76,8 +77,18 @@ struct VtkPiece {
   std::vector<VtkSection> sections;
 };
 
+/// Returns the counts of a PolyData piece.
+std::string polyDataCounts(std::uint64_t points, std::uint64_t lines, std::uint64_t polygons);
+
 /// Writes a file with one piece; its arrays follow the header as raw bytes, with 64-bit lengths. Error
 /// (device): writing failed.
 Result<void> writeVtkXml(ByteSink& sink, const VtkPiece& piece);
+
+/// The points of a mesh; the corners of its faces, and where those of each face end. Both refer to it.
+VtkSection meshPoints(const CellsMesh& mesh);
+std::vector<VtkArray> meshFaces(const CellsMesh& mesh);
+
+/// Writes a mesh as PolyData with these arrays for its faces. Error (device): writing failed.
+Result<void> writeMeshVtp(ByteSink& sink, const CellsMesh& mesh, std::vector<VtkArray> face_data);
 
 }  // namespace vorpipe

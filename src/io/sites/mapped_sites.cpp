@@ -1,4 +1,5 @@
 #include "io/sites/mapped_sites.h"
+#include "io/sites/sites_file.h"
 
 #include <fcntl.h>
 #include <fmt/core.h>
@@ -19,7 +20,6 @@
 #include "io/base/error.h"
 #include "io/base/input_file.h"
 #include "io/base/npy_header.h"
-#include "io/sites/sites_file.h"
 
 namespace vorpipe {
 namespace {

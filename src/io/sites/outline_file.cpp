@@ -6,19 +6,259 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdint>
 #include <new>
+#include <optional>
 #include <string_view>
 #include <utility>
 
 #include "base/try.h"
 #include "io/base/error.h"
 #include "io/base/extension.h"
+#include "io/base/feature_layer.h"
+#include "io/base/geojson_nesting.h"
+#include "io/base/geometry_polygons.h"
 #include "io/base/input_file.h"
+#include "io/base/json_lines.h"
+#include "io/base/quoted.h"
 #include "io/base/system_beside.h"
-#include "io/sites/outline_reader.h"
+#include "io/base/wkt_tokens.h"
+#include "io/sites/sites_reader.h"
 
 namespace vorpipe {
 namespace {
+
+/// Adds a ring as in a file, with its first point repeated at its end, to the polygon begun last. The error
+/// continues "FILE:LINE:COLUMN: ".
+tl::expected<void, std::string> addRing(std::vector<Point> points, Outline& outline) {
+  const auto refuse = [](std::string what) { return tl::unexpected(std::move(what)); };
+  constexpr std::size_t fewest = 4;
+  if (points.size() < fewest) {
+    return refuse(fmt::format("the ring has {} positions; it needs {} or more, the last like the first",
+                              points.size(), fewest));
+  }
+  const Point first = points.front(), last = points.back();
+  if (first.x != last.x || first.y != last.y) {
+    return refuse(fmt::format("the ring is not closed: it begins at {} {} and ends at {} {}", first.x,
+                              first.y, last.x, last.y));
+  }
+  if (outline.ring_offsets.empty()) {
+    outline.ring_offsets.push_back(0);
+    outline.polygon_offsets.push_back(0);
+  }
+  outline.points.insert(outline.points.end(), points.begin(), points.end() - 1);
+  outline.ring_offsets.push_back(outline.points.size());
+  return {};
+}
+
+/// Ends a polygon, which consists of the rings since the last one.
+void endPolygon(Outline& outline) {
+  const std::size_t rings = outline.ring_offsets.empty() ? 0 : outline.ring_offsets.size() - 1;
+  if (rings > 0 && rings > outline.polygon_offsets.back()) {
+    outline.polygon_offsets.push_back(rings);
+  }
+}
+
+/// An error and the path to it.
+using Problem = std::optional<std::string>;
+
+class OutlineJson {
+ public:
+  explicit OutlineJson(Outline& outline) : outline_(outline) {}
+
+  Problem object(const nlohmann::ordered_json& value, const std::string& path, int depth = 0) {
+    if (!value.is_object()) return wrong(path, fmt::format("a {}, not an object", value.type_name()));
+    const auto type = value.find("type");
+    if (type == value.end() || !type->is_string()) return wrong(path, "has no \"type\" that is a string");
+    const auto& name = type->get_ref<const std::string&>();
+    if (depth > most_nested_collections)
+      return wrong(path, fmt::format("stands in more than {} collections", most_nested_collections));
+    if (name == "Polygon")
+      return member(value, path, "coordinates", [&](auto&&... at) { return polygon(at...); });
+    if (name == "MultiPolygon") {
+      return each(value, path, "coordinates", [&](auto&&... at) { return polygon(at...); });
+    }
+    const auto inner = [&](const nlohmann::ordered_json& at, const std::string& its_path) {
+      return object(at, its_path, depth + 1);
+    };
+    if (name == "Feature") {
+      // A feature may have no geometry, such as an empty cell.
+      const auto geometry = value.find("geometry");
+      if (geometry != value.end() && geometry->is_null()) return {};
+      return member(value, path, "geometry", inner);
+    }
+    if (name == "FeatureCollection") return each(value, path, "features", inner);
+    if (name == "GeometryCollection") return each(value, path, "geometries", inner);
+    return wrong(path, fmt::format("is a {}; a Polygon or MultiPolygon is needed", vorpipe::inQuotes(name)));
+  }
+
+ private:
+  static std::string wrong(const std::string& path, const std::string& what) {
+    return fmt::format("{}: {}", path.empty() ? "the top object" : path, what);
+  }
+
+  template <class Take>
+  static Problem member(const nlohmann::ordered_json& value, const std::string& path, const char* name,
+                        const Take& take) {
+    const auto found = value.find(name);
+    if (found == value.end()) return wrong(path, fmt::format("has no \"{}\"", name));
+    return take(*found, path.empty() ? std::string(name) : fmt::format("{}.{}", path, name));
+  }
+
+  template <class Take>
+  static Problem elements(const nlohmann::ordered_json& list, const std::string& path, const Take& take) {
+    if (!list.is_array()) return wrong(path, fmt::format("a {}, not an array", list.type_name()));
+    for (std::size_t k = 0; k < list.size(); ++k) {
+      if (auto problem = take(list[k], fmt::format("{}[{}]", path, k))) return problem;
+    }
+    return {};
+  }
+
+  template <class Take>
+  static Problem each(const nlohmann::ordered_json& value, const std::string& path, const char* name,
+                      const Take& take) {
+    return member(value, path, name, [&](const nlohmann::ordered_json& list, const std::string& its_path) {
+      return elements(list, its_path, take);
+    });
+  }
+
+  Problem polygon(const nlohmann::ordered_json& rings, const std::string& path) {
+    auto problem =
+        elements(rings, path, [&](const nlohmann::ordered_json& list, const std::string& its_path) {
+          return ring(list, its_path);
+        });
+    if (!problem) endPolygon(outline_);
+    return problem;
+  }
+
+  Problem ring(const nlohmann::ordered_json& positions, const std::string& path) {
+    if (!positions.is_array()) return wrong(path, fmt::format("a {}, not an array", positions.type_name()));
+    std::vector<Point> points;
+    for (std::size_t k = 0; k < positions.size(); ++k) {
+      const nlohmann::ordered_json& position = positions[k];
+      const bool numbers =
+          position.is_array() && position.size() >= 2 && position[0].is_number() && position[1].is_number();
+      if (!numbers)
+        return wrong(fmt::format("{}[{}]", path, k), "no position: two numbers or more are needed");
+      points.push_back({position[0].get<double>(), position[1].get<double>()});
+    }
+    const auto added = addRing(std::move(points), outline_);
+    return added ? Problem{} : wrong(path, added.error());
+  }
+
+  Outline& outline_;
+};
+
+Result<OutlineFile> readGeoJsonOutline(InputFile file) {
+  JsonBytes bytes(file);
+  const auto value = parseJson<nlohmann::ordered_json>(bytes);
+  if (!value) return tl::unexpected(value.error());
+  OutlineFile read{{}, wgs84()};
+  const auto wrong = [&](const std::string& problem) {
+    return inputError(fmt::format("{}: {}", file.name(), problem));
+  };
+  if (value->is_object() && value->contains("crs")) {
+    auto system = systemOfCrs((*value)["crs"]);
+    if (!system) return wrong(system.error());
+    read.system = std::move(*system);
+  }
+  if (const auto problem = OutlineJson(read.outline).object(*value, {})) return wrong(*problem);
+  return read;
+}
+
+/// One object on each line.
+Result<OutlineFile> readGeoJsonLinesOutline(InputFile file) {
+  LineReader lines(std::move(file));
+  OutlineFile read{{}, wgs84()};
+  auto done = eachJsonLine<nlohmann::ordered_json>(lines, [&](const nlohmann::ordered_json& value) {
+    return OutlineJson(read.outline).object(value, {});
+  });
+  if (!done) return tl::unexpected(std::move(done.error()));
+  return read;
+}
+
+class OutlineWkt {
+ public:
+  explicit OutlineWkt(InputFile& file) : tokens_(file) {}
+
+  Result<OutlineFile> all() {
+    while (!tokens_.atEnd()) {
+      if (auto problem = geometry()) return tokens_.refused(*problem);
+    }
+    OutlineFile read{std::move(outline_)};
+    if (system_ && *system_ > 0) read.system = systemOfCode(*system_);
+    return tokens_.end().map([&] { return std::move(read); });
+  }
+
+ private:
+  WktProblem geometry(int depth = 0) {
+    const WktPlace begin = tokens_.place();
+    std::optional<std::int64_t> code;
+    if (auto problem = tokens_.takeSystem(code)) return problem;
+    if (code && system_ && code != system_)
+      return wrongAt(begin, fmt::format("is of SRID {}, and those before it of {}", *code, *system_));
+    if (code) system_ = code;
+    if (tokens_.takeType("MULTIPOLYGON")) return tokens_.takeList([&] { return polygon(); });
+    if (tokens_.takeType("POLYGON")) return polygon();
+    if (!tokens_.takeType("GEOMETRYCOLLECTION")) return tokens_.expected("POLYGON or MULTIPOLYGON");
+    if (depth > most_nested_collections)
+      return wrongAt(begin, fmt::format("stands in more than {} collections", most_nested_collections));
+    return tokens_.takeList([&] { return geometry(depth + 1); });
+  }
+
+  WktProblem polygon() {
+    auto problem = tokens_.takeList([&] { return ring(); });
+    if (!problem) endPolygon(outline_);
+    return problem;
+  }
+
+  WktProblem ring() {
+    const WktPlace begin = tokens_.place();
+    std::vector<Point> points;
+    bool heights = false;
+    const auto position = [&] { return tokens_.takePosition(points.emplace_back(), heights); };
+    if (auto problem = tokens_.takeList(position)) return problem;
+    const auto added = addRing(std::move(points), outline_);
+    return added ? WktProblem{} : wrongAt(begin, added.error());
+  }
+
+  WktTokens tokens_;
+  Outline outline_;
+  std::optional<std::int64_t> system_;  ///< the code before geometries
+};
+
+Result<OutlineFile> readWktOutline(InputFile file) { return OutlineWkt(file).all(); }
+
+/// Adds the polygons of the current row. The error states what is wrong with them.
+tl::expected<void, std::string> addPolygons(const FeatureLayer& layer, Outline& outline) {
+  const auto geometry = layer.geometry();
+  if (!geometry) return {};
+  std::vector<PolygonRings> polygons;
+  VORPIPE_TRY(takeGeometryPolygons(*geometry, polygons));
+  for (PolygonRings& rings : polygons) {
+    for (auto& ring : rings) {
+      VORPIPE_TRY(addRing(std::move(ring), outline));
+    }
+    endPolygon(outline);
+  }
+  return {};
+}
+
+/// Reads a layer of a database, which is no stream; empty: the only one of polygons.
+Result<OutlineFile> readGeoPackageOutline(const std::string& path, const std::string& name) {
+  auto layer = FeatureLayer::open(path, name, LayerOf::polygons);
+  if (!layer) return tl::unexpected(layer.error());
+  OutlineFile read{{}, layer->system()};
+  for (std::uint64_t row = 1;; ++row) {
+    const auto more = layer->next();
+    if (!more) return tl::unexpected(more.error());
+    if (!*more) return read;
+    if (const auto added = addPolygons(*layer, read.outline); !added) {
+      return inputError(
+          fmt::format("{}: layer {}, row {}: {}", path, printable(layer->name()), row, added.error()));
+    }
+  }
+}
 
 struct OutlineKind {
   std::string_view extension;
@@ -68,34 +308,6 @@ Result<OutlineFile> readByExtension(const std::string& path, const std::string& 
 }
 
 }  // namespace
-
-tl::expected<void, std::string> addRing(std::vector<Point> points, Outline& outline) {
-  const auto refuse = [](std::string what) { return tl::unexpected(std::move(what)); };
-  constexpr std::size_t fewest = 4;
-  if (points.size() < fewest) {
-    return refuse(fmt::format("the ring has {} positions; it needs {} or more, the last like the first",
-                              points.size(), fewest));
-  }
-  const Point first = points.front(), last = points.back();
-  if (first.x != last.x || first.y != last.y) {
-    return refuse(fmt::format("the ring is not closed: it begins at {} {} and ends at {} {}", first.x,
-                              first.y, last.x, last.y));
-  }
-  if (outline.ring_offsets.empty()) {
-    outline.ring_offsets.push_back(0);
-    outline.polygon_offsets.push_back(0);
-  }
-  outline.points.insert(outline.points.end(), points.begin(), points.end() - 1);
-  outline.ring_offsets.push_back(outline.points.size());
-  return {};
-}
-
-void endPolygon(Outline& outline) {
-  const std::size_t rings = outline.ring_offsets.empty() ? 0 : outline.ring_offsets.size() - 1;
-  if (rings > 0 && rings > outline.polygon_offsets.back()) {
-    outline.polygon_offsets.push_back(rings);
-  }
-}
 
 std::vector<std::string> outlineExtensions() {
   std::vector<std::string> extensions;

@@ -9,7 +9,6 @@
 
 #include "base/try.h"
 #include "io/base/error.h"
-#include "io/sites/degrees.h"
 
 namespace vorpipe {
 namespace {

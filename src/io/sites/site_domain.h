@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "io/base/attribute.h"
@@ -65,6 +66,18 @@ struct PlacedSites {
 /// what is wrong: settings that contradict each other, sites and an outline in different systems, an invalid
 /// domain.
 Result<void> findDomain(const DomainSettings& settings, PlacedSites& placed, const DomainWords& words = {});
+
+/// Whether `system` is degrees. If it is unknown: whether all sites lie within +-180 and +-90, and their x
+/// reach below -90 and above 90.
+bool looksLikeDegrees(const Sites& sites, const CoordinateSystem& system);
+
+/// Returns advice if a box from `west` to `east` may be meant across the antimeridian, in words that continue
+/// a refusal; else nothing.
+std::string hintAcrossAntimeridian(double west, double east);
+
+/// Withdraws that `system` is degrees if a site exceeds 360 or 90 of them. Returns a note that continues the
+/// name of the sites; empty if nothing changed.
+std::string_view settleDegrees(const Sites& sites, CoordinateSystem& system);
 
 /// Removes the sites that are not `kept`, with their attributes; the domain stays.
 void keepSites(PlacedSites& placed, std::vector<Attribute>& attributes, const std::vector<bool>& kept);

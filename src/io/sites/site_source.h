@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-#include "io/sites/site_table.h"
+#include "io/sites/sites_file.h"
 #include "vorpipe.h"
 
 namespace vorpipe {

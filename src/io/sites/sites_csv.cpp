@@ -13,14 +13,68 @@
 #include "io/base/error.h"
 #include "io/base/number.h"
 #include "io/base/quoted.h"
-#include "io/sites/csv_attributes.h"
-#include "io/sites/csv_columns.h"
+#include "io/base/utf8.h"
+#include "io/sites/site_columns.h"
 #include "io/sites/sites_reader.h"
 #include "io/sites/table_builder.h"
-#include "io/sites/wkt_points.h"
 
 namespace vorpipe {
 namespace {
+
+/// Text of fields as UTF-8.
+class CsvText {
+ public:
+  /// Returns a field of the last record; valid until the next call.
+  std::string_view of(const CsvReader& csv, std::size_t field) {
+    const std::string_view bytes = csv.field(field);
+    if (isUtf8(bytes)) return bytes;
+    if (other_line_ == 0) other_line_ = csv.line();
+    text_ = fromWindows1252(bytes);
+    return text_;
+  }
+
+  /// The first line with a field that was not UTF-8; 0 if there is none.
+  [[nodiscard]] std::uint64_t otherLine() const { return other_line_; }
+
+ private:
+  std::string text_;
+  std::uint64_t other_line_ = 0;
+};
+
+std::string withPoint(std::string_view text) {
+  std::string number(text);
+  std::ranges::replace(number, ',', '.');
+  return number;
+}
+
+/// Whether the comma may be a thousands separator: three digits follow.
+bool mayBeThousands(std::string_view text) {
+  constexpr std::size_t digits = 3;
+  return text.size() - text.find(',') - 1 == digits;
+}
+
+/// Whether all values are numbers, some with a comma and none with a point.
+bool haveDecimalCommas(const Attribute& attribute, DecimalMark mark) {
+  bool any = false, thousands = true;
+  for (std::size_t site = 0; site < attribute.size(); ++site) {
+    const auto value = attribute.at(site);
+    if (!value) continue;
+    const auto commas = std::ranges::count(*value, ',');
+    if (commas > 1 || value->find('.') != std::string_view::npos || !isJsonNumber(withPoint(*value)))
+      return false;
+    any = any || commas == 1;
+    thousands = thousands && (commas == 0 || mayBeThousands(*value));
+  }
+  return any && (mark == DecimalMark::comma || !thousands);
+}
+
+/// Converts numbers with decimal commas to JSON numbers if all values are numbers. `mark` is the decimal mark
+/// of the file's coordinates. If they have none, an attribute of only values like 1,234 stays text: commas
+/// may mark thousands.
+Attribute withDecimalPoints(Attribute attribute, DecimalMark mark) {
+  if (mark == DecimalMark::point || !haveDecimalCommas(attribute, mark)) return attribute;
+  return attribute.rewritten(attribute.type(), withPoint);
+}
 
 class CsvSites {
  public:

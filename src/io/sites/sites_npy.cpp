@@ -13,7 +13,7 @@
 #include "io/base/memory_room.h"
 #include "io/base/npy_elements.h"
 #include "io/base/npy_header.h"
-#include "io/sites/column_choice.h"
+#include "io/sites/site_columns.h"
 #include "io/sites/sites_file.h"
 #include "io/sites/sites_reader.h"
 

@@ -3,16 +3,26 @@
 #pragma once
 
 #include <array>
+#include <cstdint>
+#include <nlohmann/json_fwd.hpp>
+#include <optional>
+#include <string>
 #include <string_view>
+#include <vector>
 
 #include "io/base/input_file.h"
-#include "io/sites/site_table.h"
+#include "io/base/wkt_tokens.h"
+#include "io/sites/sites_file.h"
 #include "vorpipe.h"
 
 namespace vorpipe {
 
 /// The values of a site in a row of only numbers, in order.
 inline constexpr std::array<std::string_view, 3> site_numbers = {"x", "y", "weight"};
+
+/// The note about three unnamed columns.
+inline constexpr std::string_view third_is_weight =
+    "the third column is taken as weights; --columns 1,2 leaves it out";
 
 /// A table with a header that names its columns, or of only numbers. The first line determines the field
 /// separator.
@@ -41,5 +51,17 @@ Result<SiteTable> readWktSites(InputFile file, const ReadOptions& options);
 
 /// A layer of points of a GeoPackage, which is a database and no stream.
 Result<SiteTable> readGeoPackageSites(const std::string& path, const ReadOptions& options);
+
+/// A POINT or MULTIPOINT.
+struct WktPoints {
+  std::vector<Point> points;             ///< none if it is EMPTY
+  bool others = false;                   ///< whether positions have more than x and y
+  std::optional<std::int64_t> system{};  ///< the code before it
+};
+
+WktProblem takePoints(WktTokens& tokens, WktPoints& taken);
+
+/// Returns the system that a member "crs" names, as in GeoJSON of 2008; WGS 84 if it is null.
+tl::expected<CoordinateSystem, std::string> systemOfCrs(const nlohmann::ordered_json& crs);
 
 }  // namespace vorpipe

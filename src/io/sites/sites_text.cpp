@@ -13,8 +13,7 @@
 #include "io/base/line_reader.h"
 #include "io/base/lower_case.h"
 #include "io/base/number.h"
-#include "io/sites/column_choice.h"
-#include "io/sites/csv_columns.h"
+#include "io/sites/site_columns.h"
 #include "io/sites/sites_reader.h"
 #include "io/sites/table_builder.h"
 

@@ -1,16 +1,80 @@
 /// Builds a SiteTable row by row.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
+#include <functional>
+#include <map>
 #include <optional>
 #include <span>
 #include <string>
 #include <string_view>
+#include <utility>
+#include <vector>
 
-#include "io/sites/attribute_columns.h"
-#include "io/sites/site_table.h"
+#include "io/base/attribute.h"
+#include "io/sites/sites_file.h"
 
 namespace vorpipe {
+
+/// Collects attributes of a file row by row; a row may lack some of them.
+class AttributeColumns {
+ public:
+  /// Unless `kept`, keeps only the names.
+  explicit AttributeColumns(bool kept) : kept_(kept) {}
+
+  /// Returns the column of that name; makes it if there is none.
+  std::size_t column(std::string_view name);
+
+  /// Makes a new column; appends a number if the name is taken.
+  std::size_t newColumn(std::string_view name);
+
+  /// Sets the type of a column that ends up without values.
+  void setType(std::size_t column, AttributeType type) { columns_[column].setType(type); }
+
+  /// Sets a value of the current row, once per column and row; a value not set is missing. `text` is as in
+  /// Attribute::at. A column of several types becomes the narrowest type that holds them all.
+  void set(std::size_t column, AttributeType type, std::string_view text);
+
+  /// Returns a value of the current row, until the row ends; none if it is missing.
+  [[nodiscard]] std::optional<std::string_view> rowValue(std::string_view name) const;
+  [[nodiscard]] bool has(std::string_view name) const { return by_name_.contains(name); }
+
+  /// Ends the row, which applies to `sites` sites; 0 leaves it out.
+  void endRow(std::size_t sites = 1);
+
+  /// Leaves out all rows so far; their columns stay.
+  void clearRows();
+
+  /// Bytes of memory for `sites` sites: in the end, each column has an entry for each site.
+  [[nodiscard]] std::uint64_t bytes(std::uint64_t sites) const;
+
+  [[nodiscard]] bool kept() const { return kept_; }
+  [[nodiscard]] std::size_t size() const { return columns_.size(); }
+  [[nodiscard]] const std::string& name(std::size_t column) const { return columns_[column].name(); }
+
+  /// Returns all columns, each as long as there are sites. None unless they are kept.
+  std::vector<Attribute> take();
+
+ private:
+  struct Named {
+    std::size_t column;
+    std::size_t next = 2;  ///< number for another of that name
+  };
+  struct Value {
+    std::size_t column, end;  ///< where it ends in row_text_
+    AttributeType type;
+  };
+  void add(const Value& value, std::string_view text, std::size_t sites);
+
+  bool kept_;
+  std::size_t sites_ = 0;
+  std::vector<Attribute> columns_;
+  std::vector<bool> has_values_;
+  std::map<std::string, Named, std::less<>> by_name_;
+  std::vector<Value> row_;
+  std::string row_text_;  ///< the values of row_, one after the other
+};
 
 /// What is wrong with a row, in words that continue its place.
 using RowProblem = std::optional<std::string>;
@@ -28,7 +92,6 @@ class TableBuilder {
   AttributeColumns& attributes() { return attributes_; }
   CoordinateSystem& system() { return table_.system; }
   [[nodiscard]] const std::string& name() const { return name_; }
-  [[nodiscard]] bool skipsMissing() const { return skip_missing_; }
 
   /// Ends a row: each point is a site, with the row's weight and attributes. A row must have a weight if
   /// those before have one, and the needed attribute once a row had it.

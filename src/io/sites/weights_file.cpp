@@ -1,17 +1,152 @@
 #include "io/sites/weights_file.h"
 
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <new>
 #include <optional>
 #include <random>
-#include <string_view>
+#include <utility>
 
 #include "io/base/error.h"
 #include "io/base/extension.h"
+#include "io/base/input_file.h"
+#include "io/base/line_reader.h"
+#include "io/base/lower_case.h"
 #include "io/base/npy_array.h"
+#include "io/base/npy_elements.h"
+#include "io/base/npy_header.h"
+#include "io/base/number.h"
 #include "io/base/print.h"
-#include "io/sites/site_numbers.h"
-#include "io/sites/weight_name.h"
+#include "io/base/quoted.h"
+#include "io/sites/site_columns.h"
 
 namespace vorpipe {
+namespace {
+
+/// Meaning of a file's numbers.
+struct NumbersKind {
+  std::string_view one, many;  ///< "weight", "weights", for messages
+  /// Whether the first line of a text is a header that names the numbers, not a number.
+  std::function<bool(std::string_view line)> header;
+  /// Converts a finite number to its value. The error states what is wrong with it; `text` is the number as
+  /// written.
+  std::function<tl::expected<double, std::string>(double number, std::string_view text)> value;
+};
+
+bool isNumbersFile(const std::string& extension) {
+  return extension == ".txt" || extension == ".csv" || extension == ".npy";
+}
+
+tl::unexpected<Error> unknownKind(const std::string& path, std::string_view numbers) {
+  return inputError(
+      fmt::format("{}: unknown kind of file for {}; known are .txt, .csv and .npy", path, numbers));
+}
+
+std::string sitesText(std::uint64_t count) { return fmt::format("{} site{}", count, count == 1 ? "" : "s"); }
+
+/// Returns the value of a line; `text` is the line without comment and blanks.
+Result<double> valueIn(const LineReader& lines, std::string_view line, std::string_view text,
+                       const NumbersKind& kind) {
+  const auto column = static_cast<std::size_t>(text.data() - line.data()) + 1;
+  const auto number = parseNumber(text);
+  if (!number) return lines.errorAt(column, number.error());
+  const auto value = kind.value(*number, text);
+  if (!value) return lines.errorAt(column, value.error());
+  return *value;
+}
+
+Result<std::vector<double>> readLines(InputFile file, std::uint64_t count, const NumbersKind& kind) {
+  LineReader lines(std::move(file));
+  std::vector<double> values;
+  bool first = true;
+  while (true) {
+    const auto line = lines.next();
+    if (!line) return tl::unexpected(line.error());
+    if (!*line && values.size() < count) {
+      return lines.errorAt(1, fmt::format("the file ends after {} {}, there are {}", values.size(), kind.many,
+                                          sitesText(count)));
+    }
+    if (!*line) return values;
+    const std::string_view text = trimmed((*line)->substr(0, (*line)->find('#')));
+    if (text.empty()) continue;
+    if (std::exchange(first, false) && kind.header(text)) continue;
+    if (values.size() == count) {
+      return lines.errorAt(1, fmt::format("a {} too many, there are {}", kind.one, sitesText(count)));
+    }
+    const auto value = valueIn(lines, **line, text, kind);
+    if (!value) return tl::unexpected(value.error());
+    values.push_back(*value);
+  }
+}
+
+Result<std::vector<double>> readArray(InputFile& file, const NpyHeader& header, std::uint64_t count,
+                                      const NumbersKind& kind) {
+  std::vector<double> values(count);
+  const auto read = eachNumber(file, header, count, [&](std::uint64_t index, auto element) -> Result<void> {
+    const auto number = static_cast<double>(element);
+    if (!std::isfinite(number)) {
+      return inputError(fmt::format("{}: element [{}] (counted from 0) is {}, not a finite number",
+                                    file.name(), index, number));
+    }
+    const auto value = kind.value(number, fmt::to_string(element));
+    if (!value) {
+      return inputError(
+          fmt::format("{}: element [{}] (counted from 0): {}", file.name(), index, value.error()));
+    }
+    values[index] = *value;
+    return {};
+  });
+  return read.map([&] { return std::move(values); });
+}
+
+Result<std::vector<double>> readNumpy(InputFile file, std::uint64_t count, const NumbersKind& kind) {
+  const auto header = readNpyHeader(file);
+  if (!header) return tl::unexpected(header.error());
+  const auto& shape = header->shape;
+  const bool one_column = shape.size() == 1 || (shape.size() == 2 && shape[1] == 1);
+  if (!areNumbers(*header) || !one_column) {
+    return inputError(fmt::format("{}: holds {}; numbers (N,), float32, float64 or whole ones, are needed",
+                                  file.name(), header->description));
+  }
+  if (shape[0] != count) {
+    return inputError(
+        fmt::format("{}: holds {} {}, there are {}", file.name(), shape[0], kind.many, sitesText(count)));
+  }
+  return readArray(file, *header, count, kind);
+}
+
+Result<std::vector<double>> readSiteNumbers(const std::string& path, std::uint64_t count,
+                                            const NumbersKind& kind) {
+  const std::string extension = inputExtension(path);
+  if (!isNumbersFile(extension)) return unknownKind(path, kind.many);
+  auto file = InputFile::open(path);
+  if (!file) return tl::unexpected(file.error());
+  try {
+    return extension == ".npy" ? readNumpy(std::move(*file), count, kind)
+                               : readLines(std::move(*file), count, kind);
+  } catch (const std::bad_alloc&) {
+    return deviceError(fmt::format("{}: there is not enough memory for its {}", path, kind.many));
+  }
+}
+
+tl::expected<double, std::string> massOf(double number, std::string_view text, ZeroMass zero) {
+  if (number > 0 || (number == 0 && zero == ZeroMass::taken)) return number;
+  return tl::unexpected(inQuotes(text) +
+                        (number < 0 ? " is negative, and a mass" : " is no mass: it must be more than 0"));
+}
+
+bool isName(std::string_view line) {
+  const std::string lower = lowerCase(line);
+  // These were meant as numbers, and errors report them as such.
+  if (lower == "nan" || lower == "inf" || lower == "infinity") return false;
+  return (lower[0] >= 'a' && lower[0] <= 'z') || lower[0] == '_' || lower[0] == '"';
+}
+
+}  // namespace
 
 Result<std::vector<double>> readWeights(const std::string& path, std::uint64_t count) {
   WeightKind kind = WeightKind::weight;
@@ -25,9 +160,7 @@ Result<std::vector<double>> readWeights(const std::string& path, std::uint64_t c
 }
 
 Result<void> checkWeightsPath(const std::string& path) {
-  const std::string extension = lowerExtension(path);
-  if (extension == ".txt" || extension == ".csv" || extension == ".npy") return {};
-  return inputError(path + ": unknown kind of file for weights; known are .txt, .csv and .npy");
+  return isNumbersFile(lowerExtension(path)) ? Result<void>() : unknownKind(path, "weights");
 }
 
 Result<void> writeWeights(ByteSink& sink, const std::vector<double>& weights, const std::string& path) {
@@ -53,6 +186,49 @@ std::vector<double> randomWeights(double low, double high, std::uint64_t count, 
     weight = low + part * (high - low);
   }
   return weights;
+}
+
+tl::expected<void, std::string> checkMass(std::string_view text, ZeroMass zero) {
+  // Whether a comma is a decimal comma shows only when all are read.
+  return parseDecimal(text)
+      .and_then([&](const Decimal& number) { return massOf(number.value, trimmed(text), zero); })
+      .map([](double) {});
+}
+
+Result<std::vector<double>> readMasses(const std::string& path, std::uint64_t count, ZeroMass zero) {
+  const auto value = [zero](double number, std::string_view text) { return massOf(number, text, zero); };
+  return readSiteNumbers(path, count, {"mass", "masses", isName, value});
+}
+
+Result<std::vector<double>> massesIn(std::span<const Attribute> attributes, std::string_view name,
+                                     ZeroMass zero) {
+  const auto has_name = [&](const Attribute& attribute) { return attribute.name() == name; };
+  const auto found = std::ranges::find_if(attributes, has_name);
+  if (found == attributes.end()) {
+    std::vector<std::string> known;
+    for (const Attribute& attribute : attributes) known.push_back(attribute.name());
+    return inputError(fmt::format(
+        "there is no attribute {}; {}", inQuotes(name),
+        known.empty() ? "the sites have none" : fmt::format("known are {}", fmt::join(known, ", "))));
+  }
+  if (std::ranges::count_if(attributes, has_name) > 1) {
+    return inputError(fmt::format("there are several attributes {}", inQuotes(name)));
+  }
+  std::vector<double> masses;
+  masses.reserve(found->size());
+  for (std::size_t site = 0; site < found->size(); ++site) {
+    const auto wrong = [&](std::string_view what) {
+      return inputError(fmt::format("{}: site {} (counted from 0): {}", inQuotes(name), site, what));
+    };
+    const auto text = found->at(site);
+    if (!text) return wrong("there is no value");
+    const auto number = parseNumber(*text);
+    if (!number) return wrong(number.error());
+    const auto mass = massOf(*number, trimmed(*text), zero);
+    if (!mass) return wrong(mass.error());
+    masses.push_back(*mass);
+  }
+  return masses;
 }
 
 }  // namespace vorpipe

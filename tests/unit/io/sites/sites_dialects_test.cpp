@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "io/sites/degrees.h"
+#include "io/sites/site_domain.h"
 #include "unit/io/sites/sites_fixture.h"
 
 namespace vorpipe::test {

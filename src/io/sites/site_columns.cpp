@@ -1,16 +1,19 @@
-#include "io/sites/csv_columns.h"
+#include "io/sites/site_columns.h"
 
 #include <fmt/core.h>
 #include <fmt/ranges.h>
 
 #include <algorithm>
 #include <array>
+#include <charconv>
+#include <cmath>
+#include <system_error>
 #include <utility>
 
 #include "base/try.h"
+#include "io/base/error.h"
 #include "io/base/lower_case.h"
 #include "io/base/quoted.h"
-#include "io/sites/column_choice.h"
 
 namespace vorpipe {
 namespace {
@@ -33,6 +36,15 @@ constexpr std::array<Synonym, 6> x_names = {{{"x", CoordinateKind::unknown},
 constexpr std::array<Synonym, 4> y_names = {
     {{"y", CoordinateKind::unknown}, {"lat", of_degrees}, {"latitude", of_degrees}, {"northing", of_plane}}};
 constexpr std::array<std::string_view, 4> geometry_names = {"wkt", "geometry", "geom", "the_geom"};
+
+/// Returns the number, from 1, that a text is; none if it is a name.
+std::optional<std::size_t> columnNumber(std::string_view text) {
+  std::size_t number = 0;
+  const char* const last = text.data() + text.size();
+  const auto [stop, error] = std::from_chars(text.data(), last, number);
+  if (text.empty() || stop != last || error != std::errc()) return std::nullopt;
+  return number;
+}
 
 tl::unexpected<ColumnProblem> problem(std::size_t column, std::string what) {
   return tl::unexpected(ColumnProblem{column, std::move(what)});
@@ -140,7 +152,7 @@ tl::expected<void, ColumnProblem> findWeight(std::span<const std::string> names,
 }
 
 /// Sets x and y, or the column of WKT.
-tl::expected<void, ColumnProblem> findPlaces(std::span<const std::string> names, CsvColumns& columns) {
+tl::expected<void, ColumnProblem> findPositions(std::span<const std::string> names, CsvColumns& columns) {
   auto x = exactly(names, "x");
   auto y = exactly(names, "y");
   if (x && y && (!*x || !*y)) {
@@ -186,10 +198,24 @@ std::string noteOf(std::span<const std::string> names, const CsvColumns& columns
 
 }  // namespace
 
+std::optional<WeightKind> weightNamed(std::string_view name, bool letters) {
+  const std::string lower = lowerCase(name);
+  if (lower == "weight" || (letters && lower == "w")) return WeightKind::weight;
+  if (lower == "radius" || (letters && lower == "r")) return WeightKind::radius;
+  return std::nullopt;
+}
+
+tl::expected<double, std::string> weightOf(WeightKind kind, double number, std::string_view text) {
+  if (kind == WeightKind::weight) return number;
+  if (number < 0) return tl::unexpected(inQuotes(text) + " is negative, and a radius");
+  if (std::isfinite(number * number)) return number * number;
+  return tl::unexpected("the square of " + inQuotes(text) + " is out of the range of a double");
+}
+
 Found namedColumns(std::span<const std::string> names, std::span<const std::string> chosen) {
   if (!chosen.empty()) return chosenColumns(names, chosen);
   CsvColumns columns;
-  VORPIPE_TRY(findPlaces(names, columns));
+  VORPIPE_TRY(findPositions(names, columns));
   VORPIPE_TRY(findWeight(names, columns));
   columns.note = noteOf(names, columns);
   return columns;
@@ -223,6 +249,27 @@ std::optional<std::pair<std::size_t, std::size_t>> placesWithoutHeader(std::span
   const auto x = columnNumber(chosen[0]), y = columnNumber(chosen[1]);
   if (!x || !y || *x < 1 || *y < 1) return std::nullopt;
   return std::pair(*x - 1, *y - 1);
+}
+
+Result<std::vector<std::size_t>> numberedColumns(std::span<const std::string> columns, std::size_t count,
+                                                 std::string_view name) {
+  std::vector<std::size_t> chosen;
+  for (const std::string& column : columns) {
+    const auto number = columnNumber(column);
+    if (!number) {
+      return inputError(fmt::format("{}: its columns have no names, as {}; they have numbers from 1", name,
+                                    inQuotes(column)));
+    }
+    if (*number < 1 || *number > count) {
+      return inputError(fmt::format("{}: has no column {}; it has {}", name, column, count));
+    }
+    if (std::ranges::find(chosen, *number - 1) != chosen.end()) {
+      return inputError(fmt::format("{}: column {} is named twice", name, column));
+    }
+    chosen.push_back(*number - 1);
+  }
+  if (chosen.size() == 2 || chosen.size() == 3) return chosen;
+  return inputError(fmt::format("{}: two or three columns are needed, as in 1,2 or 1,2,3", name));
 }
 
 }  // namespace vorpipe

@@ -1,7 +1,8 @@
-/// Which columns of a table hold sites.
+/// Which columns of a table hold sites, and which names mean weights.
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <optional>
 #include <span>
 #include <string>
@@ -9,10 +10,26 @@
 #include <vector>
 
 #include "io/base/coordinate_system.h"
-#include "io/sites/weight_name.h"
 #include "vorpipe.h"
 
 namespace vorpipe {
+
+enum class WeightKind : std::uint8_t {
+  weight,
+  radius,  ///< its square is the weight
+};
+
+/// Name of a kind in messages.
+constexpr std::string_view meaningOf(WeightKind kind) {
+  return kind == WeightKind::weight ? "weight" : "radius, whose square is the weight";
+}
+
+/// Returns the kind that "weight" or "radius", in any case, names; also w and r if `letters` is set.
+std::optional<WeightKind> weightNamed(std::string_view name, bool letters);
+
+/// Returns the weight that a number stands for. The error states what is wrong with it, quoting `text`: a
+/// radius is negative, or its square is no double.
+tl::expected<double, std::string> weightOf(WeightKind kind, double number, std::string_view text);
 
 struct CsvColumns {
   std::optional<std::size_t> x, y;      ///< both or none
@@ -48,5 +65,10 @@ tl::expected<CsvColumns, ColumnProblem> unnamedColumns(std::size_t count, bool t
 
 /// Returns the two columns of x and y if there is no header; none if `chosen` has names.
 std::optional<std::pair<std::size_t, std::size_t>> placesWithoutHeader(std::span<const std::string> chosen);
+
+/// Returns the unnamed columns of x, y and possibly weights, from 0. Errors (input), beginning with `name`:
+/// they are not two or three different numbers from 1 to `count`.
+Result<std::vector<std::size_t>> numberedColumns(std::span<const std::string> columns, std::size_t count,
+                                                 std::string_view name);
 
 }  // namespace vorpipe
