@@ -73,7 +73,7 @@ using NamedColumns =
 
 /// None where no name says anything.
 std::optional<NamedColumns> columnsNamed(const std::vector<std::string>& names) {
-  if (!sayColumns(names)) return std::nullopt;
+  if (!anyKnownColumn(names)) return std::nullopt;
   const auto found = namedColumns(names, {});
   if (!found) raiseInput("points", inWords(found.error().what, words_of_tables));
   return NamedColumns{found->x,

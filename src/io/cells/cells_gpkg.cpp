@@ -31,79 +31,64 @@ std::vector<LayerField> fieldsOf(const CellsOutput& output) {
   return fields;
 }
 
-/// The rows of the layer, filled in the order of fieldsOf().
-class Rows {
- public:
-  explicit Rows(const CellsOutput& output) : output_(output) {}
-
-  bool fill(std::size_t site, FeatureRow& row) {
-    const CellPolygons cell(output_.diagram, site, output_.system);
-    if (cell.empty() && output_.only_cells) return false;
-    if (!cell.empty()) setPolygons(row, cell);
-    addFields(row, site);
-    for (const Attribute& attribute : output_.attributes) addValue(row, attribute, site);
-    return true;
-  }
-
- private:
-  void setPolygons(FeatureRow& row, const CellPolygons& cell) {
-    wkb_.clear();
-    wkb_.begin(GeometryType::multi_polygon, cell.size());
-    for (std::size_t p = 0; p < cell.size(); ++p) {
-      wkb_.begin(GeometryType::polygon, cell[p].size());
-      for (const auto vertices : cell[p]) {
-        wkb_.beginRing(vertices.size() + 1);
-        for (const Point& vertex : vertices) wkb_.add(vertex);
-        wkb_.add(vertices.front());
-      }
+void setPolygons(FeatureRow& row, Wkb& wkb, const CellPolygons& cell) {
+  wkb.clear();
+  wkb.begin(GeometryType::multi_polygon, cell.size());
+  for (std::size_t p = 0; p < cell.size(); ++p) {
+    wkb.begin(GeometryType::polygon, cell[p].size());
+    for (const auto vertices : cell[p]) {
+      wkb.beginRing(vertices.size() + 1);
+      for (const Point& vertex : vertices) wkb.add(vertex);
+      wkb.add(vertices.front());
     }
-    row.setGeometry(wkb_);
   }
+  row.setGeometry(wkb);
+}
 
-  template <class Print>
-  void addText(FeatureRow& row, std::size_t site, const Print& print_text) {
-    text_.clear();
-    print_text(text_, output_.diagram, site);
-    row.add(std::string_view(text_.data(), text_.size()));
+/// Adds the values of a site in the order of fieldsOf().
+void addFields(FeatureRow& row, const CellsOutput& output, std::size_t site) {
+  const Sites& sites = output.sites;
+  const Diagram& diagram = output.diagram;
+  const auto addPoint = [&row](const Point& point) {
+    row.add(point.x);
+    row.add(point.y);
+  };
+  const auto addText = [&](auto printText) {
+    Bytes text;
+    printText(text, diagram, site);
+    row.add(std::string_view(text.data(), text.size()));
+  };
+  row.add(static_cast<std::int64_t>(site));
+  addPoint({sites.x[site], sites.y[site]});
+  if (!sites.weight.empty()) row.add(sites.weight[site]);
+  row.add(statusWord(diagram.status[site]));
+  row.add(std::int64_t{diagram.owner[site]});
+  row.add(diagram.area[site]);
+  row.add(diagram.perimeter[site]);
+  addPoint(diagram.centroid[site]);
+  if (!diagram.mass.empty()) {
+    row.add(diagram.mass[site]);
+    addPoint(diagram.mass_centroid[site]);
   }
-
-  void addFields(FeatureRow& row, std::size_t site) {
-    const Sites& sites = output_.sites;
-    const Diagram& diagram = output_.diagram;
-    const auto addPoint = [&row](const Point& point) {
-      row.add(point.x);
-      row.add(point.y);
-    };
-    row.add(static_cast<std::int64_t>(site));
-    addPoint({sites.x[site], sites.y[site]});
-    if (!sites.weight.empty()) row.add(sites.weight[site]);
-    row.add(statusWord(diagram.status[site]));
-    row.add(std::int64_t{diagram.owner[site]});
-    row.add(diagram.area[site]);
-    row.add(diagram.perimeter[site]);
-    addPoint(diagram.centroid[site]);
-    if (!diagram.mass.empty()) {
-      row.add(diagram.mass[site]);
-      addPoint(diagram.mass_centroid[site]);
-    }
-    row.add(static_cast<std::int64_t>(diagram.cell(site).edges()));
-    addText(row, site, printNeighbors);
-    if (!diagram.neighbor_shifts.empty()) addText(row, site, printShifts);
-    if (!diagram.ring_starts.empty()) row.add(static_cast<std::int64_t>(ringsOf(diagram, site).size()));
-  }
-
-  const CellsOutput& output_;
-  Wkb wkb_;
-  Bytes text_;
-};
+  row.add(static_cast<std::int64_t>(diagram.cell(site).edges()));
+  addText(printNeighbors);
+  if (!diagram.neighbor_shifts.empty()) addText(printShifts);
+  if (!diagram.ring_starts.empty()) row.add(static_cast<std::int64_t>(ringsOf(diagram, site).size()));
+  for (const Attribute& attribute : output.attributes) addValue(row, attribute, site);
+}
 
 }  // namespace
 
 Result<void> writeGpkgCells(ByteSink& sink, const CellsOutput& output) {
   const Layer layer{"cells", GeometryType::multi_polygon, fieldsOf(output), output.system};
-  Rows rows(output);
-  return writeGeoPackage(sink, layer, output.sites.size(),
-                         [&](std::size_t site, FeatureRow& row) { return rows.fill(site, row); });
+  Wkb wkb;
+  return writeGeoPackage(sink, layer, output.sites.size(), [&](std::size_t site, FeatureRow& row) {
+    const CellPolygons cell(output.diagram, site, output.system);
+    if (cell.empty() && output.only_cells) return false;
+    if (!cell.empty()) setPolygons(row, wkb, cell);
+    addFields(row, output, site);
+    return true;
+  });
 }
 
 }  // namespace vorpipe

@@ -190,21 +190,15 @@ Result<Density> readPixels(InputFile& file, const NpyHeader& header) {
         density.values[row * columns + column] = value;
         return {};
       });
-  if (!read) {
-    return tl::unexpected(read.error());
-  }
+  if (!read) return tl::unexpected(read.error());
   return density;
 }
 
 Result<Density> readArrayDensity(const std::string& path) {
   auto file = InputFile::open(path);
-  if (!file) {
-    return tl::unexpected(file.error());
-  }
+  if (!file) return tl::unexpected(file.error());
   const auto header = readNpyHeader(*file);
-  if (!header) {
-    return tl::unexpected(header.error());
-  }
+  if (!header) return tl::unexpected(header.error());
   const auto& shape = header->shape;
   if (areNumbers(*header) && shape.size() == 2 && std::min(shape[0], shape[1]) >= 1 &&
       std::max(shape[0], shape[1]) <= max_extent) {

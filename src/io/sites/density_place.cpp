@@ -58,9 +58,7 @@ Result<void> checkCovered(const Density& density, const std::string& about, Plac
 /// Whether a box of unknown system may be in degrees and not in the plane that its sites were projected to.
 bool mayBeDegrees(const Box& box, const PlacedSites& placed) {
   constexpr double least = 0.01;
-  const auto [west, east] = std::ranges::minmax(placed.longitudes);
-  const auto [south, north] = std::ranges::minmax(placed.latitudes);
-  const Box around{west, south, east, north};
+  const Box around = boxOf(placed.longitudes, placed.latitudes);
   return coveredPart(placed.domain, box) < least && coveredPart(around, box) > least;
 }
 

@@ -70,23 +70,7 @@ void* mapFile(const std::string& path, std::uint64_t bytes) {
 
 }  // namespace
 
-MappedSites::MappedSites(MappedSites&& other) noexcept
-    : begin_(std::exchange(other.begin_, nullptr)),
-      bytes_(other.bytes_),
-      sites_(other.sites_),
-      corners_(std::move(other.corners_)) {}
-
-MappedSites& MappedSites::operator=(MappedSites&& other) noexcept {
-  std::swap(begin_, other.begin_);
-  std::swap(bytes_, other.bytes_);
-  std::swap(sites_, other.sites_);
-  std::swap(corners_, other.corners_);
-  return *this;
-}
-
-MappedSites::~MappedSites() {
-  if (begin_ != nullptr) ::munmap(begin_, bytes_);
-}
+void MappedSites::Unmap::operator()(void* begin) const { ::munmap(begin, bytes); }
 
 Result<std::optional<MappedSites>> MappedSites::map(const std::string& path, int threads) {
   auto file = InputFile::open(path);

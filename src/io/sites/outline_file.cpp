@@ -54,9 +54,7 @@ tl::expected<void, std::string> addRing(std::vector<Point> points, Outline& outl
 /// Ends a polygon, which consists of the rings since the last one.
 void endPolygon(Outline& outline) {
   const std::size_t rings = outline.ring_offsets.empty() ? 0 : outline.ring_offsets.size() - 1;
-  if (rings > 0 && rings > outline.polygon_offsets.back()) {
-    outline.polygon_offsets.push_back(rings);
-  }
+  if (rings > 0 && rings > outline.polygon_offsets.back()) outline.polygon_offsets.push_back(rings);
 }
 
 /// An error and the path to it.
@@ -89,7 +87,7 @@ class OutlineJson {
     }
     if (name == "FeatureCollection") return each(value, path, "features", inner);
     if (name == "GeometryCollection") return each(value, path, "geometries", inner);
-    return wrong(path, fmt::format("is a {}; a Polygon or MultiPolygon is needed", vorpipe::inQuotes(name)));
+    return wrong(path, fmt::format("is a {}; a Polygon or MultiPolygon is needed", inQuotes(name)));
   }
 
  private:

@@ -15,8 +15,7 @@ bool looksLikeDegrees(const Sites& sites, const CoordinateSystem& system) {
   constexpr double half_turn = 180, quarter = 90;
   if (system.kind != CoordinateKind::unknown) return system.kind == CoordinateKind::degrees;
   if (sites.size() == 0) return false;
-  const auto [west, east] = std::ranges::minmax(sites.x);
-  const auto [south, north] = std::ranges::minmax(sites.y);
+  const auto [west, south, east, north] = boxOf(sites.x, sites.y);
   return west >= -half_turn && west < -quarter && east > quarter && east <= half_turn && south >= -quarter &&
          north <= quarter;
 }
@@ -35,6 +34,12 @@ std::string_view settleDegrees(const Sites& sites, CoordinateSystem& system) {
   system = {};
   return "should hold degrees of longitude and latitude, and reaches beyond 360 or 90: it is taken as a "
          "plane";
+}
+
+Box boxOf(const std::vector<double>& x, const std::vector<double>& y) {
+  const auto [west, east] = std::ranges::minmax(x);
+  const auto [south, north] = std::ranges::minmax(y);
+  return {west, south, east, north};
 }
 
 void keepSites(PlacedSites& placed, std::vector<Attribute>& attributes, const std::vector<bool>& kept) {

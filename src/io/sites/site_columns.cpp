@@ -221,7 +221,7 @@ Found namedColumns(std::span<const std::string> names, std::span<const std::stri
   return columns;
 }
 
-bool sayColumns(std::span<const std::string> names) {
+bool anyKnownColumn(std::span<const std::string> names) {
   return std::ranges::any_of(names, [](const std::string& name) {
     return synonymOf(name, x_names) != nullptr || synonymOf(name, y_names) != nullptr || isGeometry(name) ||
            weightNamed(name, true);
@@ -243,7 +243,8 @@ Found unnamedColumns(std::size_t count, bool third_is_number, std::span<const st
   return columns;
 }
 
-std::optional<std::pair<std::size_t, std::size_t>> placesWithoutHeader(std::span<const std::string> chosen) {
+std::optional<std::pair<std::size_t, std::size_t>> positionsWithoutHeader(
+    std::span<const std::string> chosen) {
   if (chosen.empty()) return std::pair<std::size_t, std::size_t>(0, 1);
   if (chosen.size() == 1) return std::nullopt;
   const auto x = columnNumber(chosen[0]), y = columnNumber(chosen[1]);

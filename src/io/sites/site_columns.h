@@ -56,7 +56,7 @@ tl::expected<CsvColumns, ColumnProblem> namedColumns(std::span<const std::string
                                                      std::span<const std::string> chosen);
 
 /// Whether any of the names identifies what its column holds: a coordinate, geometries or a weight.
-bool sayColumns(std::span<const std::string> names);
+bool anyKnownColumn(std::span<const std::string> names);
 
 /// Returns the columns of a table without a header, by their number and whether the third begins with a
 /// number.
@@ -64,7 +64,8 @@ tl::expected<CsvColumns, ColumnProblem> unnamedColumns(std::size_t count, bool t
                                                        std::span<const std::string> chosen);
 
 /// Returns the two columns of x and y if there is no header; none if `chosen` has names.
-std::optional<std::pair<std::size_t, std::size_t>> placesWithoutHeader(std::span<const std::string> chosen);
+std::optional<std::pair<std::size_t, std::size_t>> positionsWithoutHeader(
+    std::span<const std::string> chosen);
 
 /// Returns the unnamed columns of x, y and possibly weights, from 0. Errors (input), beginning with `name`:
 /// they are not two or three different numbers from 1 to `count`.

@@ -99,13 +99,10 @@ Result<void> checkSettings(const Request& request) {
   if (settings.project && placed.from == SitesFrom::generator) {
     return inputError(fmt::format("{}: is for files in degrees, not for {}", words.project, words.sites));
   }
-  if (settings.project && placed.system.kind == CoordinateKind::plane) {
+  const bool plane_sites = placed.system.kind == CoordinateKind::plane;
+  if (settings.project && (plane_sites || settings.outline_system.kind == CoordinateKind::plane)) {
     return inputError(fmt::format("{}: {} says that its coordinates are those of a plane, not degrees",
-                                  words.project, words.sites));
-  }
-  if (settings.project && settings.outline_system.kind == CoordinateKind::plane) {
-    return inputError(fmt::format("{}: {} says that its coordinates are those of a plane, not degrees",
-                                  words.project, nameOfOutline(request)));
+                                  words.project, plane_sites ? words.sites : nameOfOutline(request)));
   }
   return {};
 }
@@ -296,13 +293,6 @@ void noteDegrees(const Request& request) {
                   words.sites, words.project_amid));
 }
 
-/// Returns the box of sites, which may lie on a line.
-Box boxOfSites(const std::vector<double>& x, const std::vector<double>& y) {
-  const auto [west, east] = std::ranges::minmax(x);
-  const auto [south, north] = std::ranges::minmax(y);
-  return {west, south, east, north};
-}
-
 /// Adds a note if no site lies in the given domain: such sites take part, but that is seldom intended.
 void noteNowhere(const Request& request) {
   const auto& [settings, placed, words] = request;
@@ -319,8 +309,7 @@ void noteNowhere(const Request& request) {
             (any_y || (sites.y[i] >= ymin && sites.y[i] <= ymax));
   }
   if (found) return;
-  const Box all =
-      placed.projection ? boxOfSites(placed.longitudes, placed.latitudes) : boxOfSites(sites.x, sites.y);
+  const Box all = placed.projection ? boxOf(placed.longitudes, placed.latitudes) : boxOf(sites.x, sites.y);
   const bool meets = all.xmin <= xmax && all.xmax >= xmin && all.ymin <= ymax && all.ymax >= ymin;
   if (settings.of_corners && meets) return;
   const Box named = settings.box ? *settings.box : boxOf(settings.outline.points);

@@ -82,6 +82,9 @@ std::string_view settleDegrees(const Sites& sites, CoordinateSystem& system);
 /// Removes the sites that are not `kept`, with their attributes; the domain stays.
 void keepSites(PlacedSites& placed, std::vector<Attribute>& attributes, const std::vector<bool>& kept);
 
+/// Returns the box of sites, at least one, which may lie on a line.
+Box boxOf(const std::vector<double>& x, const std::vector<double>& y);
+
 /// A box as in options: XMIN,YMIN,XMAX,YMAX.
 std::string boxText(const Box& box);
 

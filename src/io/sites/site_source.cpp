@@ -3,6 +3,7 @@
 #include <fmt/core.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
 #include <array>
 #include <charconv>
 #include <cmath>
@@ -30,12 +31,8 @@ constexpr std::array<std::pair<std::string_view, Pattern>, 6> patterns = {{
 }};
 
 std::optional<Pattern> patternNamed(std::string_view name) {
-  for (const auto& [known, pattern] : patterns) {
-    if (known == name) {
-      return pattern;
-    }
-  }
-  return std::nullopt;
+  const auto* const named = std::ranges::find(patterns, name, &std::pair<std::string_view, Pattern>::first);
+  return named == patterns.end() ? std::nullopt : std::optional(named->second);
 }
 
 /// A whole number from 1 to max_sites.
@@ -43,9 +40,7 @@ std::optional<std::uint64_t> countOf(std::string_view text) {
   std::uint64_t n = 0;
   const char* const last = text.data() + text.size();
   const auto [stop, error] = std::from_chars(text.data(), last, n);
-  if (stop != last || error != std::errc() || n < 1 || n > max_sites) {
-    return std::nullopt;
-  }
+  if (stop != last || error != std::errc() || n < 1 || n > max_sites) return std::nullopt;
   return n;
 }
 
@@ -80,9 +75,7 @@ std::vector<std::string_view> patternNames() {
 
 std::optional<std::uint64_t> generatedCount(std::string_view spec) {
   const std::size_t colon = spec.find(':');
-  if (colon == std::string_view::npos || !patternNamed(spec.substr(0, colon))) {
-    return std::nullopt;
-  }
+  if (colon == std::string_view::npos || !patternNamed(spec.substr(0, colon))) return std::nullopt;
   return countOf(spec.substr(colon + 1));
 }
 

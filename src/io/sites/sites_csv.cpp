@@ -102,7 +102,7 @@ class CsvSites {
  private:
   /// Reads the header, or the first row if there is none.
   Result<void> readFirst() {
-    const auto places = placesWithoutHeader(options_.columns);
+    const auto places = positionsWithoutHeader(options_.columns);
     const bool header = !places || !isNumber(places->first) || !isNumber(places->second);
     names_.resize(csv_.fields());
     for (std::size_t k = 0; k < names_.size() && header; ++k) names_[k] = text_.of(csv_, k);

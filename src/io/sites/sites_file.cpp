@@ -40,35 +40,26 @@ constexpr std::array<Kind, 12> kinds = {{{".csv", readCsvSites, true},
                                          {".wkt", readWktSites},
                                          {geopackage, nullptr}}};
 
-std::string extensionOf(const std::string& path, const ReadOptions& options) {
-  if (!options.format.empty()) return "." + options.format;
-  return path == "-" ? ".csv" : inputExtension(path);
-}
-
-Result<SiteTable> readKind(const Kind& kind, const std::string& path, InputFile file,
-                           const ReadOptions& options) {
+Result<SiteTable> readByExtension(const std::string& path, InputFile file, const ReadOptions& options) {
   const std::string name = file.name();
-  if (!options.columns.empty() && !kind.table) {
+  const std::string extension = !options.format.empty() ? "." + options.format
+                                : path == "-"           ? ".csv"
+                                                        : inputExtension(path);
+  const auto* const kind = std::ranges::find(kinds, extension, &Kind::extension);
+  if (kind == kinds.end()) {
     return inputError(
-        fmt::format("{}: its columns cannot be chosen: a {} has none for --columns", name, kind.extension));
+        fmt::format("{}: unknown kind of file; known are {}", name, fmt::join(sitesExtensions(), ", ")));
   }
-  if (!options.layer.empty() && kind.extension != geopackage) {
+  if (!options.columns.empty() && !kind->table) {
+    return inputError(
+        fmt::format("{}: its columns cannot be chosen: a {} has none for --columns", name, extension));
+  }
+  if (!options.layer.empty() && extension != geopackage) {
     return inputError(fmt::format("{}: has no layers for --layer; a {} has", name, geopackage));
   }
-  if (kind.extension != geopackage) return kind.read(std::move(file), options);
-  if (path == "-") {
-    return inputError(
-        fmt::format("{}: a GeoPackage cannot be read from standard input; name its file", name));
-  }
-  return readGeoPackageSites(path, options);
-}
-
-Result<SiteTable> readByExtension(const std::string& path, InputFile file, const ReadOptions& options) {
-  const std::string extension = extensionOf(path, options);
-  const auto* const kind = std::ranges::find(kinds, extension, &Kind::extension);
-  if (kind != kinds.end()) return readKind(*kind, path, std::move(file), options);
-  return inputError(
-      fmt::format("{}: unknown kind of file; known are {}", file.name(), fmt::join(sitesExtensions(), ", ")));
+  if (extension != geopackage) return kind->read(std::move(file), options);
+  if (path != "-") return readGeoPackageSites(path, options);
+  return inputError(fmt::format("{}: a GeoPackage cannot be read from standard input; name its file", name));
 }
 
 }  // namespace
@@ -81,9 +72,7 @@ std::vector<std::string_view> sitesExtensions() {
 
 Result<SiteTable> readSites(const std::string& path, const ReadOptions& options) {
   auto file = InputFile::open(path);
-  if (!file) {
-    return tl::unexpected(file.error());
-  }
+  if (!file) return tl::unexpected(file.error());
   const std::string name = file->name();
   try {
     auto table = readByExtension(path, std::move(*file), options);

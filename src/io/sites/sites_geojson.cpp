@@ -36,7 +36,7 @@ std::string inside(const std::string& path, std::string_view member) {
 std::string named(const std::string& type) {
   constexpr std::array<std::string_view, 4> known = {"LineString", "MultiLineString", "Polygon",
                                                      "MultiPolygon"};
-  return std::ranges::find(known, type) == known.end() ? vorpipe::inQuotes(type) : type;
+  return std::ranges::find(known, type) == known.end() ? inQuotes(type) : type;
 }
 
 const std::string* typeOf(const Json& object) {
@@ -62,17 +62,131 @@ class GeoJsonPoints {
 
   /// Adds the sites of a Feature, or of a geometry: a Point, a MultiPoint, or a GeometryCollection of them.
   /// `path` is its path in the file.
-  GeoJsonProblem add(const Json& object, const std::string& path);
+  GeoJsonProblem add(const Json& object, const std::string& path) {
+    points_.clear();
+    weight_.reset();
+    weight_name_.clear();
+    if (!object.is_object()) return wrong(path, fmt::format("a {}, not an object", object.type_name()));
+    const std::string* const type = typeOf(object);
+    if (type == nullptr) return wrong(path, "has no \"type\" that is a string");
+    if (*type == "Feature") return addFeature(object, path);
+    if (*type == "FeatureCollection") return wrong(path, "a FeatureCollection where a Feature is needed");
+    if (auto problem = takeGeometry(object, path, 0)) return problem;
+    return endRow(path);
+  }
 
  private:
-  GeoJsonProblem addFeature(const Json& feature, const std::string& path);
-  GeoJsonProblem takeProperties(const Json& feature, const std::string& path);
+  GeoJsonProblem addFeature(const Json& feature, const std::string& path) {
+    const auto geometry = feature.find("geometry");
+    if (geometry == feature.end()) return wrong(path, "has no \"geometry\"");
+    if (!geometry->is_null()) {
+      if (!geometry->is_object()) {
+        return wrong(inside(path, "geometry"), fmt::format("a {}, not an object", geometry->type_name()));
+      }
+      if (auto problem = takeGeometry(*geometry, path, 0)) return problem;
+    }
+    if (auto problem = takeProperties(feature, path)) return problem;
+    return endRow(path);
+  }
+
+  GeoJsonProblem endRow(const std::string& path) {
+    RowProblem problem;
+    if (points_.empty()) {
+      problem = table_.addMissing("has no place; --missing skip leaves such out");
+    } else if (!weight_name_.empty() && !weight_) {
+      problem =
+          table_.addMissing(fmt::format("its {} is null; --missing skip leaves such out", weight_name_));
+    } else {
+      problem = table_.addRow(points_, weight_);
+    }
+    return problem ? wrong(path, *problem) : GeoJsonProblem{};
+  }
+
+  GeoJsonProblem takeGeometry(const Json& geometry, const std::string& path, int depth) {
+    const std::string* const type = typeOf(geometry);
+    if (type == nullptr) return wrong(path, "its geometry has no \"type\" that is a string");
+    if (depth > most_nested_collections)
+      return wrong(path, fmt::format("stands in more than {} collections", most_nested_collections));
+    const bool several = *type == "MultiPoint", collection = *type == "GeometryCollection";
+    if (!several && !collection && *type != "Point") {
+      return wrong(path, fmt::format("a {} where a Point is needed", named(*type)));
+    }
+    const char* const name = collection ? "geometries" : "coordinates";
+    const auto list = geometry.find(name);
+    if (list == geometry.end() || !list->is_array())
+      return wrong(path, fmt::format("has no array \"{}\"", name));
+    if (!several && !collection) return list->empty() ? GeoJsonProblem{} : takePosition(*list, path);
+    for (std::size_t k = 0; k < list->size(); ++k) {
+      const Json& item = (*list)[k];
+      const std::string its_path = inside(path, fmt::format("{}[{}]", name, k));
+      if (collection && !item.is_object())
+        return wrong(its_path, fmt::format("a {}, not an object", item.type_name()));
+      auto problem = collection ? takeGeometry(item, its_path, depth + 1) : takePosition(item, its_path);
+      if (problem) return problem;
+    }
+    return {};
+  }
+
+  GeoJsonProblem takePosition(const Json& position, const std::string& path) {
+    const bool numbers =
+        position.is_array() && position.size() >= 2 && position[0].is_number() && position[1].is_number();
+    if (!numbers) return wrong(path, "no position: two numbers or more are needed");
+    if (position.size() > 2) table_.noteHeights();
+    points_.push_back({position[0].get<double>(), position[1].get<double>()});
+    return {};
+  }
+
+  GeoJsonProblem takeProperties(const Json& feature, const std::string& path) {
+    const auto properties = feature.find("properties");
+    const bool none = properties == feature.end() || properties->is_null();
+    if (!none && !properties->is_object()) {
+      return wrong(inside(path, "properties"), fmt::format("a {}, not an object", properties->type_name()));
+    }
+    const auto id = feature.find("id");
+    if (id != feature.end() && !id->is_null() && (none || !properties->contains("id")))
+      setAttribute("id", *id);
+    if (none) return {};
+    for (const auto& [name, value] : properties->items()) {
+      const auto kind = weightNamed(name, false);
+      if (!kind) {
+        setAttribute(name, value);
+      } else if (auto problem = takeWeight(name, *kind, value, path)) {
+        return problem;
+      }
+    }
+    if (table_.attributes().size() <= most_properties) return {};
+    return wrong(path, fmt::format("features have more than {} different properties", most_properties));
+  }
+
   GeoJsonProblem takeWeight(const std::string& name, WeightKind kind, const Json& value,
-                            const std::string& path);
-  GeoJsonProblem takeGeometry(const Json& geometry, const std::string& path, int depth);
-  GeoJsonProblem takePosition(const Json& position, const std::string& path);
-  void setAttribute(const std::string& name, const Json& value);
-  GeoJsonProblem endRow(const std::string& path);
+                            const std::string& path) {
+    if (!weight_name_.empty()) {
+      return wrong(path, fmt::format("has both {} and {}; keep one", inQuotes(weight_name_), inQuotes(name)));
+    }
+    weight_name_ = name;
+    if (value.is_null()) return {};
+    const std::string its_path = inside(path, "properties." + name);
+    if (!value.is_number()) return wrong(its_path, fmt::format("a {}, not a number", value.type_name()));
+    const auto weight = weightOf(kind, value.get<double>(), value.dump());
+    if (!weight) return wrong(its_path, weight.error());
+    weight_ = *weight;
+    const bool exact = name == "weight" || name == "radius";
+    if (!exact && !std::exchange(weight_noted_, true)) {
+      table_.note(fmt::format("the property {} is taken as {}", inQuotes(name), meaningOf(kind)));
+    }
+    return {};
+  }
+
+  void setAttribute(const std::string& name, const Json& value) {
+    AttributeColumns& attributes = table_.attributes();
+    const std::size_t column = attributes.column(name);
+    if (value.is_null() || !attributes.kept()) return;
+    if (value.is_string()) {
+      attributes.set(column, AttributeType::text, value.get_ref<const std::string&>());
+    } else {
+      attributes.set(column, attributeType(value), value.dump());
+    }
+  }
 
   TableBuilder& table_;
   std::vector<Point> points_;     ///< of the feature
@@ -80,130 +194,6 @@ class GeoJsonPoints {
   std::string weight_name_;       ///< of the feature; empty if it has none
   bool weight_noted_ = false;
 };
-
-GeoJsonProblem GeoJsonPoints::add(const Json& object, const std::string& path) {
-  points_.clear();
-  weight_.reset();
-  weight_name_.clear();
-  if (!object.is_object()) return wrong(path, fmt::format("a {}, not an object", object.type_name()));
-  const std::string* const type = typeOf(object);
-  if (type == nullptr) return wrong(path, "has no \"type\" that is a string");
-  if (*type == "Feature") return addFeature(object, path);
-  if (*type == "FeatureCollection") return wrong(path, "a FeatureCollection where a Feature is needed");
-  if (auto problem = takeGeometry(object, path, 0)) return problem;
-  return endRow(path);
-}
-
-GeoJsonProblem GeoJsonPoints::addFeature(const Json& feature, const std::string& path) {
-  const auto geometry = feature.find("geometry");
-  if (geometry == feature.end()) return wrong(path, "has no \"geometry\"");
-  if (!geometry->is_null()) {
-    if (!geometry->is_object()) {
-      return wrong(inside(path, "geometry"), fmt::format("a {}, not an object", geometry->type_name()));
-    }
-    if (auto problem = takeGeometry(*geometry, path, 0)) return problem;
-  }
-  if (auto problem = takeProperties(feature, path)) return problem;
-  return endRow(path);
-}
-
-GeoJsonProblem GeoJsonPoints::endRow(const std::string& path) {
-  RowProblem problem;
-  if (points_.empty()) {
-    problem = table_.addMissing("has no place; --missing skip leaves such out");
-  } else if (!weight_name_.empty() && !weight_) {
-    problem = table_.addMissing(fmt::format("its {} is null; --missing skip leaves such out", weight_name_));
-  } else {
-    problem = table_.addRow(points_, weight_);
-  }
-  return problem ? wrong(path, *problem) : GeoJsonProblem{};
-}
-
-GeoJsonProblem GeoJsonPoints::takeGeometry(const Json& geometry, const std::string& path, int depth) {
-  const std::string* const type = typeOf(geometry);
-  if (type == nullptr) return wrong(path, "its geometry has no \"type\" that is a string");
-  if (depth > most_nested_collections)
-    return wrong(path, fmt::format("stands in more than {} collections", most_nested_collections));
-  const bool several = *type == "MultiPoint", collection = *type == "GeometryCollection";
-  if (!several && !collection && *type != "Point") {
-    return wrong(path, fmt::format("a {} where a Point is needed", named(*type)));
-  }
-  const char* const name = collection ? "geometries" : "coordinates";
-  const auto list = geometry.find(name);
-  if (list == geometry.end() || !list->is_array())
-    return wrong(path, fmt::format("has no array \"{}\"", name));
-  if (!several && !collection) return list->empty() ? GeoJsonProblem{} : takePosition(*list, path);
-  for (std::size_t k = 0; k < list->size(); ++k) {
-    const Json& item = (*list)[k];
-    const std::string its_path = inside(path, fmt::format("{}[{}]", name, k));
-    if (collection && !item.is_object())
-      return wrong(its_path, fmt::format("a {}, not an object", item.type_name()));
-    auto problem = collection ? takeGeometry(item, its_path, depth + 1) : takePosition(item, its_path);
-    if (problem) return problem;
-  }
-  return {};
-}
-
-GeoJsonProblem GeoJsonPoints::takePosition(const Json& position, const std::string& path) {
-  const bool numbers =
-      position.is_array() && position.size() >= 2 && position[0].is_number() && position[1].is_number();
-  if (!numbers) return wrong(path, "no position: two numbers or more are needed");
-  if (position.size() > 2) table_.noteHeights();
-  points_.push_back({position[0].get<double>(), position[1].get<double>()});
-  return {};
-}
-
-GeoJsonProblem GeoJsonPoints::takeProperties(const Json& feature, const std::string& path) {
-  const auto properties = feature.find("properties");
-  const bool none = properties == feature.end() || properties->is_null();
-  if (!none && !properties->is_object()) {
-    return wrong(inside(path, "properties"), fmt::format("a {}, not an object", properties->type_name()));
-  }
-  const auto id = feature.find("id");
-  if (id != feature.end() && !id->is_null() && (none || !properties->contains("id"))) setAttribute("id", *id);
-  if (none) return {};
-  for (const auto& [name, value] : properties->items()) {
-    const auto kind = weightNamed(name, false);
-    if (!kind) {
-      setAttribute(name, value);
-    } else if (auto problem = takeWeight(name, *kind, value, path)) {
-      return problem;
-    }
-  }
-  if (table_.attributes().size() <= most_properties) return {};
-  return wrong(path, fmt::format("features have more than {} different properties", most_properties));
-}
-
-GeoJsonProblem GeoJsonPoints::takeWeight(const std::string& name, WeightKind kind, const Json& value,
-                                         const std::string& path) {
-  if (!weight_name_.empty()) {
-    return wrong(path, fmt::format("has both {} and {}; keep one", vorpipe::inQuotes(weight_name_),
-                                   vorpipe::inQuotes(name)));
-  }
-  weight_name_ = name;
-  if (value.is_null()) return {};
-  const std::string its_path = inside(path, "properties." + name);
-  if (!value.is_number()) return wrong(its_path, fmt::format("a {}, not a number", value.type_name()));
-  const auto weight = weightOf(kind, value.get<double>(), value.dump());
-  if (!weight) return wrong(its_path, weight.error());
-  weight_ = *weight;
-  const bool exact = name == "weight" || name == "radius";
-  if (!exact && !std::exchange(weight_noted_, true)) {
-    table_.note(fmt::format("the property {} is taken as {}", vorpipe::inQuotes(name), meaningOf(kind)));
-  }
-  return {};
-}
-
-void GeoJsonPoints::setAttribute(const std::string& name, const Json& value) {
-  AttributeColumns& attributes = table_.attributes();
-  const std::size_t column = attributes.column(name);
-  if (value.is_null() || !attributes.kept()) return;
-  if (value.is_string()) {
-    attributes.set(column, AttributeType::text, value.get_ref<const std::string&>());
-  } else {
-    attributes.set(column, attributeType(value), value.dump());
-  }
-}
 
 /// Takes each member of the top object's list of features, or of geometries.
 class Stream {

@@ -70,9 +70,7 @@ Result<std::vector<std::size_t>> columnsOf(const NpyHeader& header, const ReadOp
 
 Result<SiteTable> readNpySites(InputFile file, const ReadOptions& options) {
   const auto header = readNpyHeader(file);
-  if (!header) {
-    return tl::unexpected(header.error());
-  }
+  if (!header) return tl::unexpected(header.error());
   const auto columns = columnsOf(*header, options, file.name());
   if (!columns) return tl::unexpected(columns.error());
   if (header->shape[0] > max_sites) {

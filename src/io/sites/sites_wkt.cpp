@@ -57,9 +57,7 @@ WktProblem takePoints(WktTokens& tokens, WktPoints& taken) {
 Result<SiteTable> readWktSites(InputFile file, const ReadOptions& options) {
   TableBuilder table(file.name(), options);
   WktTokens tokens(file);
-  if (const auto problem = takeAll(tokens, table)) {
-    return tokens.refused(*problem);
-  }
+  if (const auto problem = takeAll(tokens, table)) return tokens.refused(*problem);
   return tokens.end().map([&] { return table.finish(); });
 }
 

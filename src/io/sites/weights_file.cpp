@@ -48,17 +48,6 @@ tl::unexpected<Error> unknownKind(const std::string& path, std::string_view numb
 
 std::string sitesText(std::uint64_t count) { return fmt::format("{} site{}", count, count == 1 ? "" : "s"); }
 
-/// Returns the value of a line; `text` is the line without comment and blanks.
-Result<double> valueIn(const LineReader& lines, std::string_view line, std::string_view text,
-                       const NumbersKind& kind) {
-  const auto column = static_cast<std::size_t>(text.data() - line.data()) + 1;
-  const auto number = parseNumber(text);
-  if (!number) return lines.errorAt(column, number.error());
-  const auto value = kind.value(*number, text);
-  if (!value) return lines.errorAt(column, value.error());
-  return *value;
-}
-
 Result<std::vector<double>> readLines(InputFile file, std::uint64_t count, const NumbersKind& kind) {
   LineReader lines(std::move(file));
   std::vector<double> values;
@@ -77,30 +66,12 @@ Result<std::vector<double>> readLines(InputFile file, std::uint64_t count, const
     if (values.size() == count) {
       return lines.errorAt(1, fmt::format("a {} too many, there are {}", kind.one, sitesText(count)));
     }
-    const auto value = valueIn(lines, **line, text, kind);
-    if (!value) return tl::unexpected(value.error());
+    const auto value = parseNumber(text).and_then([&](double number) { return kind.value(number, text); });
+    if (!value) {
+      return lines.errorAt(static_cast<std::size_t>(text.data() - (*line)->data()) + 1, value.error());
+    }
     values.push_back(*value);
   }
-}
-
-Result<std::vector<double>> readArray(InputFile& file, const NpyHeader& header, std::uint64_t count,
-                                      const NumbersKind& kind) {
-  std::vector<double> values(count);
-  const auto read = eachNumber(file, header, count, [&](std::uint64_t index, auto element) -> Result<void> {
-    const auto number = static_cast<double>(element);
-    if (!std::isfinite(number)) {
-      return inputError(fmt::format("{}: element [{}] (counted from 0) is {}, not a finite number",
-                                    file.name(), index, number));
-    }
-    const auto value = kind.value(number, fmt::to_string(element));
-    if (!value) {
-      return inputError(
-          fmt::format("{}: element [{}] (counted from 0): {}", file.name(), index, value.error()));
-    }
-    values[index] = *value;
-    return {};
-  });
-  return read.map([&] { return std::move(values); });
 }
 
 Result<std::vector<double>> readNumpy(InputFile file, std::uint64_t count, const NumbersKind& kind) {
@@ -116,7 +87,22 @@ Result<std::vector<double>> readNumpy(InputFile file, std::uint64_t count, const
     return inputError(
         fmt::format("{}: holds {} {}, there are {}", file.name(), shape[0], kind.many, sitesText(count)));
   }
-  return readArray(file, *header, count, kind);
+  std::vector<double> values(count);
+  const auto read = eachNumber(file, *header, count, [&](std::uint64_t index, auto element) -> Result<void> {
+    const auto number = static_cast<double>(element);
+    if (!std::isfinite(number)) {
+      return inputError(fmt::format("{}: element [{}] (counted from 0) is {}, not a finite number",
+                                    file.name(), index, number));
+    }
+    const auto value = kind.value(number, fmt::to_string(element));
+    if (!value) {
+      return inputError(
+          fmt::format("{}: element [{}] (counted from 0): {}", file.name(), index, value.error()));
+    }
+    values[index] = *value;
+    return {};
+  });
+  return read.map([&] { return std::move(values); });
 }
 
 Result<std::vector<double>> readSiteNumbers(const std::string& path, std::uint64_t count,
@@ -222,9 +208,8 @@ Result<std::vector<double>> massesIn(std::span<const Attribute> attributes, std:
     };
     const auto text = found->at(site);
     if (!text) return wrong("there is no value");
-    const auto number = parseNumber(*text);
-    if (!number) return wrong(number.error());
-    const auto mass = massOf(*number, trimmed(*text), zero);
+    const auto mass =
+        parseNumber(*text).and_then([&](double number) { return massOf(number, trimmed(*text), zero); });
     if (!mass) return wrong(mass.error());
     masses.push_back(*mass);
   }
