@@ -43,8 +43,8 @@ EdgeLine edgeLine(const EdgesOutput& output, std::size_t edge) {
                 diagram.edge_lengths[entry]};
   if (output.system.from_plane_around) {
     // Around a pole one edge leads from the last longitude to the first.
-    constexpr double whole_turn = 360;
-    line.end.x += whole_turn * std::round((line.begin.x - line.end.x) / whole_turn);
+    constexpr double turn = 360;
+    line.end.x += turn * std::round((line.begin.x - line.end.x) / turn);
   }
   return line;
 }

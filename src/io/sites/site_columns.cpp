@@ -103,11 +103,12 @@ tl::expected<std::size_t, ColumnProblem> chosenColumn(std::span<const std::strin
   return problem(0, fmt::format("the header {} names no column {}", headerText(names), inQuotes(text)));
 }
 
-CoordinateKind kindOf(const Synonym* x, const Synonym* y) {
-  const auto kind_of = [](const Synonym* synonym) {
-    return synonym == nullptr ? CoordinateKind::unknown : synonym->kind;
-  };
-  return kind_of(x) == kind_of(y) ? kind_of(x) : CoordinateKind::unknown;
+/// Returns the kind that the names of both columns imply.
+CoordinateKind kindOf(std::span<const std::string> names, std::size_t x, std::size_t y) {
+  const Synonym* const of_x = synonymOf(names[x], x_names);
+  const Synonym* const of_y = synonymOf(names[y], y_names);
+  const bool one = of_x != nullptr && of_y != nullptr && of_x->kind == of_y->kind;
+  return one ? of_x->kind : CoordinateKind::unknown;
 }
 
 /// Finds x, y and possibly a weight; or a single column of WKT.
@@ -130,7 +131,7 @@ Found chosenColumns(std::span<const std::string> names, std::span<const std::str
     return problem(0, fmt::format("{} columns are chosen; x, y and a weight are 3", found.size()));
   columns.x = found[0];
   columns.y = found[1];
-  columns.kind = kindOf(synonymOf(names[found[0]], x_names), synonymOf(names[found[1]], y_names));
+  columns.kind = kindOf(names, found[0], found[1]);
   if (found.size() < 3) return columns;
   columns.weight = found[2];
   columns.weight_kind = weightNamed(names[found[2]], true).value_or(WeightKind::weight);
@@ -164,7 +165,7 @@ tl::expected<void, ColumnProblem> findPositions(std::span<const std::string> nam
   if (*x && *y) {
     columns.x = *x;
     columns.y = *y;
-    columns.kind = kindOf(synonymOf(names[**x], x_names), synonymOf(names[**y], y_names));
+    columns.kind = kindOf(names, **x, **y);
     return {};
   }
   const auto geometry = onlyColumn(names, isGeometry);
