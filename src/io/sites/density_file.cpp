@@ -27,37 +27,29 @@
 namespace vorpipe {
 namespace {
 
-/// Where the pixels of a picture lie.
-struct PixelBox {
-  std::optional<Box> box{};   ///< none: no file gives it
-  CoordinateSystem system{};  ///< of that box
-};
-
 constexpr std::array<std::string_view, 4> world_extensions = {".pgw", ".pngw", ".tfw", ".wld"};
 constexpr std::size_t number_count = 6;
 
+/// A GeoTransform of GDAL: x of the left side, width of a pixel, a turn, y of the upper side, a turn, height.
 using SixNumbers = std::array<double, number_count>;
-
-/// Pixels in the terms of a world file, except that the corner is that of the upper left one.
-struct Pixels {
-  double across, turn_x, turn_y, down, west, north;
-};
 
 bool isFile(const std::string& path) {
   std::error_code none;
   return std::filesystem::is_regular_file(path, none);
 }
 
-Result<Box> pixelBox(const Pixels& pixels, const std::string& name, int width, int height) {
-  if (pixels.turn_x != 0 || pixels.turn_y != 0) return inputError(fmt::format("{}: turns the pixels", name));
-  if (!(pixels.across > 0) || !(pixels.down < 0)) {
+/// Sets the box of the pixels.
+Result<void> setBox(const SixNumbers& transform, const std::string& name, Density& density) {
+  const auto [west, across, turn_x, north, turn_y, down] = transform;
+  if (turn_x != 0 || turn_y != 0) return inputError(fmt::format("{}: turns the pixels", name));
+  if (!(across > 0) || !(down < 0)) {
     return inputError(
         fmt::format("{}: pixels are {} wide and {} high; more than 0 and less than 0 are "
                     "needed, since rows count from the top",
-                    name, pixels.across, pixels.down));
+                    name, across, down));
   }
-  return Box{pixels.west, pixels.north + height * pixels.down, pixels.west + width * pixels.across,
-             pixels.north};
+  density.box = Box{west, north + density.height * down, west + density.width * across, north};
+  return {};
 }
 
 Result<SixNumbers> numbersIn(const std::string& path) {
@@ -108,7 +100,6 @@ std::string plainOf(std::string_view xml) {
   return text;
 }
 
-/// GDAL's numbers: x of the left side, width, two of which are 0, y of the upper side, height.
 Result<SixNumbers> transformIn(std::string_view text, const std::string& name) {
   SixNumbers numbers{};
   for (double& number : numbers) {
@@ -125,8 +116,8 @@ Result<SixNumbers> transformIn(std::string_view text, const std::string& name) {
   return numbers;
 }
 
-/// Takes the place from GDAL's file, if nothing else gave it, and the system.
-Result<void> takeAux(const std::string& path, int width, int height, PixelBox& place) {
+/// Takes the box from GDAL's file, if nothing else gave it, and the system.
+Result<void> takeAux(const std::string& path, DensityFile& read) {
   constexpr std::size_t longest = std::size_t{1} << 24;  // bytes: it has histograms and tables as well
   const std::string name = path + ".aux.xml";
   if (!isFile(name)) return {};
@@ -134,44 +125,34 @@ Result<void> takeAux(const std::string& path, int width, int height, PixelBox& p
   if (!file) return tl::unexpected(std::move(file.error()));
   const auto xml = readText(*file, longest);
   if (!xml) return tl::unexpected(xml.error());
-  if (const auto transform = textIn(*xml, "GeoTransform"); transform && !place.box) {
-    const auto numbers = transformIn(*transform, name);
-    if (!numbers) return tl::unexpected(numbers.error());
-    const auto [west, across, turn_x, north, turn_y, down] = *numbers;
-    const auto box = pixelBox({across, turn_x, turn_y, down, west, north}, name, width, height);
-    if (!box) return tl::unexpected(box.error());
-    place.box = *box;
+  if (const auto transform = textIn(*xml, "GeoTransform"); transform && !read.density.box) {
+    VORPIPE_TRY(transformIn(*transform, name).and_then([&](const SixNumbers& numbers) {
+      return setBox(numbers, name, read.density);
+    }));
   }
   const auto srs = textIn(*xml, "SRS");
-  if (!srs || !place.box) return {};
+  if (!srs || !read.density.box) return {};
   auto system = systemNamed(plainOf(*srs));
   if (!system) return inputError(fmt::format("{}: its SRS: {}", name, system.error()));
-  place.system = std::move(*system);
+  read.system = std::move(*system);
   return {};
 }
 
-/// Returns the place of width x height pixels in `path`, from the world file beside it, whose extension is
-/// one of .pgw, .pngw, .tfw and .wld: six numbers, the first and the fourth the size of a pixel, the fourth
-/// less than 0, the last two the center of the upper left one; else from the GeoTransform that GDAL writes to
-/// `path`.aux.xml. The system is from that file or a .prj beside it. Errors (input): a file has other
-/// numbers, pixels of no size, turned ones, or an unknown system.
-Result<PixelBox> pixelBoxBeside(const std::string& path, int width, int height) {
-  PixelBox place;
+/// Sets the box of the pixels in `path` from the world file beside it: six numbers, the first and the fourth
+/// the size of a pixel, the fourth less than 0, the last two the center of the upper left one; else from the
+/// GeoTransform that GDAL writes to `path`.aux.xml. The system is from that file or a .prj beside it. Errors
+/// (input): a file has other numbers, pixels of no size, turned ones, or an unknown system.
+Result<void> findBox(const std::string& path, DensityFile& read) {
   for (const std::string_view extension : world_extensions) {
     const std::string beside = besides(path, std::string(extension));
-    if (place.box || !isFile(beside)) continue;
-    const auto numbers = numbersIn(beside);
-    if (!numbers) return tl::unexpected(numbers.error());
-    const auto [across, turn_y, turn_x, down, x, y] = *numbers;
-    const auto box =
-        pixelBox({across, turn_x, turn_y, down, x - across / 2, y - down / 2}, beside, width, height);
-    if (!box) return tl::unexpected(box.error());
-    place.box = *box;
+    if (read.density.box || !isFile(beside)) continue;
+    VORPIPE_TRY(numbersIn(beside).and_then([&](const SixNumbers& numbers) {
+      const auto [across, turn_y, turn_x, down, x, y] = numbers;
+      return setBox({x - across / 2, across, turn_x, y - down / 2, turn_y, down}, beside, read.density);
+    }));
   }
-  VORPIPE_TRY(takeAux(path, width, height, place));
-  if (!place.box) return place;
-  VORPIPE_TRY(readSystemBeside(path, place.system));
-  return place;
+  VORPIPE_TRY(takeAux(path, read));
+  return read.density.box ? readSystemBeside(path, read.system) : Result<void>();
 }
 
 template <class Number>
@@ -227,10 +208,7 @@ Result<DensityFile> readDensity(const std::string& path, const std::optional<Box
     DensityFile read{std::move(*density)};
     read.density.box = box;
     if (box) return read;
-    auto place = pixelBoxBeside(path, read.density.width, read.density.height);
-    if (!place) return tl::unexpected(std::move(place.error()));
-    read.density.box = place->box;
-    read.system = std::move(place->system);
+    VORPIPE_TRY(findBox(path, read));
     return read;
   } catch (const std::bad_alloc&) {
     return deviceError(path + ": there is not enough memory for its pixels");

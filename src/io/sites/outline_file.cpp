@@ -31,16 +31,15 @@ namespace {
 /// Adds a ring as in a file, with its first point repeated at its end, to the polygon begun last. The error
 /// continues "FILE:LINE:COLUMN: ".
 tl::expected<void, std::string> addRing(std::vector<Point> points, Outline& outline) {
-  const auto refuse = [](std::string what) { return tl::unexpected(std::move(what)); };
   constexpr std::size_t fewest = 4;
   if (points.size() < fewest) {
-    return refuse(fmt::format("the ring has {} positions; it needs {} or more, the last like the first",
-                              points.size(), fewest));
+    return tl::unexpected(fmt::format(
+        "the ring has {} positions; it needs {} or more, the last like the first", points.size(), fewest));
   }
   const Point first = points.front(), last = points.back();
   if (first.x != last.x || first.y != last.y) {
-    return refuse(fmt::format("the ring is not closed: it begins at {} {} and ends at {} {}", first.x,
-                              first.y, last.x, last.y));
+    return tl::unexpected(fmt::format("the ring is not closed: it begins at {} {} and ends at {} {}", first.x,
+                                      first.y, last.x, last.y));
   }
   if (outline.ring_offsets.empty()) {
     outline.ring_offsets.push_back(0);
@@ -151,15 +150,12 @@ Result<OutlineFile> readGeoJsonOutline(InputFile file) {
   JsonBytes bytes(file);
   const auto value = parseJson<nlohmann::ordered_json>(bytes);
   if (!value) return tl::unexpected(value.error());
-  OutlineFile read{{}, wgs84()};
+  auto system = systemOfGeoJson(*value);
   const auto wrong = [&](const std::string& problem) {
     return inputError(fmt::format("{}: {}", file.name(), problem));
   };
-  if (value->is_object() && value->contains("crs")) {
-    auto system = systemOfCrs((*value)["crs"]);
-    if (!system) return wrong(system.error());
-    read.system = std::move(*system);
-  }
+  if (!system) return wrong(system.error());
+  OutlineFile read{{}, std::move(*system)};
   if (const auto problem = OutlineJson(read.outline).object(*value, {})) return wrong(*problem);
   return read;
 }
@@ -168,11 +164,10 @@ Result<OutlineFile> readGeoJsonOutline(InputFile file) {
 Result<OutlineFile> readGeoJsonLinesOutline(InputFile file) {
   LineReader lines(std::move(file));
   OutlineFile read{{}, wgs84()};
-  auto done = eachJsonLine<nlohmann::ordered_json>(lines, [&](const nlohmann::ordered_json& value) {
+  const auto add = [&](const nlohmann::ordered_json& value) {
     return OutlineJson(read.outline).object(value, {});
-  });
-  if (!done) return tl::unexpected(std::move(done.error()));
-  return read;
+  };
+  return eachJsonLine<nlohmann::ordered_json>(lines, add).map([&] { return std::move(read); });
 }
 
 class OutlineWkt {
@@ -278,9 +273,7 @@ Result<OutlineFile> readOutlineKind(const OutlineKind& kind, const std::string& 
                                     const std::string& layer) {
   if (kind.extension == packaged) return readGeoPackageOutline(path, layer);
   if (!layer.empty()) return inputError(fmt::format("{}: has no layers; a {} has", path, packaged));
-  auto file = InputFile::open(path);
-  if (!file) return tl::unexpected(std::move(file.error()));
-  return kind.read(std::move(*file));
+  return InputFile::open(path).and_then(kind.read);
 }
 
 /// Whether GeoJSON's coordinates may be degrees: the format has no others, but files may hold meters of a

@@ -224,12 +224,9 @@ class Stream {
 
 /// Adds the top object, whose `list` was already taken. Returns what is wrong with it, if anything.
 GeoJsonProblem addTop(const Json& top, const std::string& list, GeoJsonPoints& points, TableBuilder& table) {
-  table.system() = wgs84();
-  if (top.is_object() && top.contains("crs")) {
-    auto system = systemOfCrs(top["crs"]);
-    if (!system) return system.error();
-    table.system() = std::move(*system);
-  }
+  auto system = systemOfGeoJson(top);
+  if (!system) return system.error();
+  table.system() = std::move(*system);
   const auto type = top.is_object() ? top.find("type") : top.end();
   const bool named = top.is_object() && type != top.end() && type->is_string();
   const std::string name = named ? type->get<std::string>() : std::string();
@@ -246,8 +243,10 @@ GeoJsonProblem addTop(const Json& top, const std::string& list, GeoJsonPoints& p
 
 }  // namespace
 
-tl::expected<CoordinateSystem, std::string> systemOfCrs(const Json& crs) {
-  if (crs.is_null()) return wgs84();
+tl::expected<CoordinateSystem, std::string> systemOfGeoJson(const Json& top) {
+  const auto member = top.is_object() ? top.find("crs") : top.end();
+  if (!top.is_object() || member == top.end() || member->is_null()) return wgs84();
+  const Json& crs = *member;
   const Json* name = nullptr;
   if (crs.is_object() && crs.contains("properties") && crs["properties"].is_object()) {
     const Json& properties = crs["properties"];
@@ -279,9 +278,9 @@ Result<SiteTable> readGeoJsonLines(InputFile file, const ReadOptions& options) {
   TableBuilder table(lines.name(), options);
   table.system() = wgs84();
   GeoJsonPoints points(table);
-  auto read = eachJsonLine<Json>(lines, [&](const Json& value) { return points.add(value, ""); });
-  if (!read) return tl::unexpected(std::move(read.error()));
-  return table.finish();
+  return eachJsonLine<Json>(lines, [&](const Json& value) { return points.add(value, ""); }).map([&] {
+    return table.finish();
+  });
 }
 
 }  // namespace vorpipe

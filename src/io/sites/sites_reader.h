@@ -61,7 +61,7 @@ struct WktPoints {
 
 WktProblem takePoints(WktTokens& tokens, WktPoints& taken);
 
-/// Returns the system that a member "crs" names, as in GeoJSON of 2008; WGS 84 if it is null.
-tl::expected<CoordinateSystem, std::string> systemOfCrs(const nlohmann::ordered_json& crs);
+/// Returns the system that a member "crs" of the top object names, as in GeoJSON of 2008; else WGS 84.
+tl::expected<CoordinateSystem, std::string> systemOfGeoJson(const nlohmann::ordered_json& top);
 
 }  // namespace vorpipe
