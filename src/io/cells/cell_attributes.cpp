@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <iterator>
+#include <sstream>
 #include <unordered_set>
 #include <utility>
 
@@ -13,9 +15,11 @@
 namespace vorpipe {
 namespace {
 
-/// Returns the names of attributes, none of which is in `taken`, in any case.
-std::vector<std::string> namesBeside(std::unordered_set<std::string> taken,
-                                     std::span<const Attribute> attributes) {
+/// Returns the names of attributes beside fields, whose names are separated by blanks.
+std::vector<std::string> namesBeside(const std::string& fields, std::span<const Attribute> attributes) {
+  std::istringstream words(fields);
+  std::unordered_set<std::string> taken(std::istream_iterator<std::string>(words), {});
+  taken.insert("");
   std::vector<std::string> names;
   for (const Attribute& attribute : attributes) {
     std::string name = attribute.name();
@@ -29,36 +33,18 @@ std::vector<std::string> namesBeside(std::unordered_set<std::string> taken,
 
 std::vector<std::string> attributeNames(std::span<const Attribute> attributes) {
   // The fields of all formats, so that an attribute has the same name in each; fid and geom are GeoPackage's.
-  return namesBeside({"",
-                      "fid",
-                      "geom",
-                      "site",
-                      "x",
-                      "y",
-                      "weight",
-                      "status",
-                      "owner",
-                      "area",
-                      "perimeter",
-                      "centroid",
-                      "centroid_x",
-                      "centroid_y",
-                      "vertices",
-                      "neighbors",
-                      "rings",
-                      "mass",
-                      "neighbor_shifts",
-                      "mass_centroid",
-                      "mass_centroid_x",
-                      "mass_centroid_y"},
-                     attributes);
+  return namesBeside(
+      "fid geom site x y weight status owner area perimeter centroid centroid_x centroid_y vertices "
+      "neighbors "
+      "rings mass neighbor_shifts mass_centroid mass_centroid_x mass_centroid_y",
+      attributes);
 }
 
 std::vector<std::string> pointAttributeNames(std::span<const Attribute> attributes) {
-  return namesBeside({"",         "fid",     "geom",     "x",      "y",        "lon",     "lat",
-                      "weight",   "w",       "r",        "radius", "lng",      "long",    "longitude",
-                      "latitude", "easting", "northing", "wkt",    "geometry", "the_geom"},
-                     attributes);
+  return namesBeside(
+      "fid geom x y lon lat weight w r radius lng long longitude latitude easting northing wkt geometry "
+      "the_geom",
+      attributes);
 }
 
 std::string renamingNote(std::span<const Attribute> attributes) {

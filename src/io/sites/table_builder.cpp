@@ -39,8 +39,8 @@ std::string listed(const AttributeColumns& columns) {
 }  // namespace
 
 std::size_t AttributeColumns::column(std::string_view name) {
-  const auto known = by_name_.find(name);
-  return known == by_name_.end() ? newColumn(name) : known->second.column;
+  const auto named = by_name_.find(name);
+  return named == by_name_.end() ? newColumn(name) : named->second.column;
 }
 
 std::size_t AttributeColumns::newColumn(std::string_view name) {
@@ -56,8 +56,8 @@ std::size_t AttributeColumns::newColumn(std::string_view name) {
 
 void AttributeColumns::set(std::size_t column, AttributeType type, std::string_view text) {
   if (!kept_) return;
+  row_.push_back({column, type, row_text_.size(), text.size()});
   row_text_ += text;
-  row_.push_back({column, row_text_.size(), type});
 }
 
 void AttributeColumns::add(const Value& value, std::string_view text, std::size_t sites) {
@@ -75,21 +75,15 @@ void AttributeColumns::add(const Value& value, std::string_view text, std::size_
 }
 
 std::optional<std::string_view> AttributeColumns::rowValue(std::string_view name) const {
-  const auto known = by_name_.find(name);
-  std::size_t begin = 0;
-  for (const Value& value : row_) {
-    if (known != by_name_.end() && value.column == known->second.column)
-      return std::string_view(row_text_).substr(begin, value.end - begin);
-    begin = value.end;
-  }
-  return std::nullopt;
+  const auto named = by_name_.find(name);
+  if (named == by_name_.end()) return std::nullopt;
+  const auto value = std::ranges::find(row_, named->second.column, &Value::column);
+  return value == row_.end() ? std::nullopt : std::optional(textOf(*value));
 }
 
 void AttributeColumns::endRow(std::size_t sites) {
-  std::size_t begin = 0;
   for (const Value& value : row_) {
-    if (sites > 0) add(value, std::string_view(row_text_).substr(begin, value.end - begin), sites);
-    begin = value.end;
+    if (sites > 0) add(value, textOf(value), sites);
   }
   sites_ += sites;
   row_.clear();

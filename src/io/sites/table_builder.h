@@ -62,9 +62,13 @@ class AttributeColumns {
     std::size_t next = 2;  ///< number for another of that name
   };
   struct Value {
-    std::size_t column, end;  ///< where it ends in row_text_
+    std::size_t column;
     AttributeType type;
+    std::size_t begin, size;  ///< of its text in row_text_
   };
+  [[nodiscard]] std::string_view textOf(const Value& value) const {
+    return std::string_view(row_text_).substr(value.begin, value.size);
+  }
   void add(const Value& value, std::string_view text, std::size_t sites);
 
   bool kept_;
