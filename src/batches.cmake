@@ -81,5 +81,4 @@ set(vorpipe_alone
     vulkan/geometry.cpp
     vulkan/sorted_sites.cpp
     vulkan/triangle_list.cpp
-    window/vulkan_presenter.cpp
     zsh.cpp)

@@ -57,10 +57,10 @@ set(guarded_headers
     "\\.glsl$")
 set(users
     "^(session/|bench/|backend/registry/)"
-    "^(backend/vulkan/|view/window/(glfw\\.h|vulkan_.*|swapchain\\..*)$)"
+    "^(backend/vulkan/|view/window/(glfw\\.h|vulkan_.*)$)"
     "^(backend/opengl/|view/window/opengl_)"
     "^view/window/glfw\\.h$"
-    "^view/(place|style|swatches|triangles|feed|panel|widgets|font)\\."
+    "^view/(imgui_io|panel|panel_.*|widgets)\\."
     "^backend/cpu/"
     "^cells/flann_"
     "^io/base/csv_reader\\."

@@ -16,7 +16,7 @@
 #include "io/base/extension.h"
 #include "io/base/output_file.h"
 #include "io/cells/fluid_state.h"
-#include "view/flow_colors.h"
+#include "view/flowing.h"
 #include "vorpipe/free_surface.h"
 
 namespace vorpipe::cli {

@@ -17,7 +17,7 @@ Result<view::Opened> openFluidForView(const FluidChoices& choices, const Backend
   if (!session) return tl::unexpected(std::move(session.error()));
   const auto fluid = Fluid::begin(*session, std::move(setup->state), setup->options);
   if (!fluid) return asFluidOption(fluid.error(), choices);
-  auto begun = std::make_shared<view::Flowing>();
+  auto begun = std::make_shared<view::FluidSnapshot>();
   begun->setup = {fluid->state(), setup->options};
   begun->last = fluid->last();
   begun->sites = std::make_shared<const Sites>(begun->setup.state.sites);

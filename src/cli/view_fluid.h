@@ -2,7 +2,7 @@
 #pragma once
 
 #include "cli/options/fluid_options.h"
-#include "view/opened.h"
+#include "view/document.h"
 #include "vorpipe.h"
 
 namespace vorpipe::cli {

@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "cli/options/options.h"
-#include "view/opened.h"
-#include "view/wish.h"
+#include "view/document.h"
+#include "view/frames.h"
 #include "vorpipe.h"
 
 namespace vorpipe::cli {

@@ -7,8 +7,7 @@
 #include <utility>
 
 #include "base/try.h"
-#include "selftest/judge.h"
-#include "selftest/scene.h"
+#include "selftest/checks.h"
 
 namespace vorpipe::selftests {
 namespace {
@@ -45,11 +44,6 @@ class Opened {
   std::map<Masked, std::unique_ptr<Runs>> runs_;
 };
 
-bool deviceFailed(const Answers& answers) {
-  return (!answers.picture && answers.picture.error().code == ErrorCode::device) ||
-         (!answers.cells && answers.cells.error().code == ErrorCode::device);
-}
-
 /// One scene with one seed.
 struct Round {
   const SceneKind& kind;
@@ -60,11 +54,20 @@ struct Round {
   [[nodiscard]] bool refusable() const { return kind.traits == Traits::extreme; }
 };
 
+tl::unexpected<Error> cancelled() { return tl::unexpected(Error{ErrorCode::cancelled, "cancelled"}); }
+
+int subpixelBitsOf(const DeviceInfo& info) {
+  for (const auto& [name, value] : info.limits) {
+    if (name == "subPixelPrecisionBits") return static_cast<int>(value);
+  }
+  return allowed_subpixel_bits;
+}
+
 class Test {
  public:
-  Test(std::span<const SceneKind> kinds, const std::vector<Tested>& tested, const OpenRuns& judge,
+  Test(std::span<const SceneKind> kinds, const std::vector<Tested>& tested, const OpenRuns& reference,
        const SelftestOptions& options, SelftestReport& report)
-      : kinds_(kinds), tested_(tested), options_(options), report_(report), judge_(judge) {
+      : kinds_(kinds), tested_(tested), options_(options), report_(report), reference_(reference) {
     for (const Tested& device : tested) opened_.emplace_back(device.open);
   }
 
@@ -80,133 +83,119 @@ class Test {
   }
 
  private:
-  Result<void> measureArithmetic();
-  Result<void> runKind(const SceneKind& kind);
-  Result<void> runRound(const Round& round);
-  Result<Answers> judged(const Round& round);
-  Result<void> runOn(std::size_t index, const Round& round, const Answers& judges,
-                     const std::string& judges_fault);
-  [[nodiscard]] bool goesOn(std::string_view what) {
+  Result<void> measureArithmetic() {
+    for (std::size_t index = 0; index < tested_.size(); index++) {
+      if (!continues("arithmetic")) return cancelled();
+      const auto runs = opened_[index].with(Masked::nothing, {});
+      auto measured = runs ? (*runs)->arithmetic() : tl::unexpected(runs.error());
+      if (measured) {
+        device(index).arithmetic_fault = arithmeticFault(*measured, subpixelBitsOf(device(index).info));
+        device(index).arithmetic = std::move(*measured);
+      } else {
+        device(index).arithmetic_fault = measured.error().message;
+        opened_[index].close(Masked::nothing);
+      }
+    }
+    return {};
+  }
+
+  Result<void> runKind(const SceneKind& kind) {
+    for (std::uint64_t k = 0; k < roundsOf(kind); k++) {
+      const Scale scale{options_.quick, options_.seed + k};
+      VORPIPE_TRY(runRound({kind, scale, kind.make(scale), maskOf(kind.masked, scale)}));
+    }
+    return {};
+  }
+
+  Result<void> runRound(const Round& round) {
+    const auto reference = referenceOf(round);
+    if (!reference) return tl::unexpected(reference.error());
+    if (failedWith(ErrorCode::cancelled, *reference)) return cancelled();
+    const std::string fault = faultByCheck(*reference, round.scene, round.refusable(), options_.threads);
+    for (std::size_t index = 0; index < tested_.size(); index++) {
+      done_++;
+      const bool means_nothing = round.kind.masked != Masked::nothing && !tested_[index].masked;
+      if (means_nothing) continue;
+      VORPIPE_TRY(runOn(index, round, *reference, fault));
+    }
+    return {};
+  }
+
+  Result<Outcome> referenceOf(const Round& round) {
+    const auto runs = reference_.with(Masked::nothing, {});
+    if (!runs) return tl::unexpected(runs.error());
+    return compute(**runs, round.scene, stopping(fmt::format("{} by cpu", round.kind.group)));
+  }
+
+  Result<void> runOn(std::size_t index, const Round& round, const Outcome& reference,
+                     const std::string& reference_fault) {
+    SelftestRun run;
+    run.group = round.kind.group;
+    run.scene = round.kind.name;
+    run.masked = textOf(round.mask);
+    run.sites = round.scene.sites.size();
+    run.seed = round.scale.seed;
+    if (tested_[index].is_reference) {
+      run.fault = reference_fault;
+      run.milliseconds = reference.milliseconds;
+    } else if (auto runs = opened_[index].with(round.kind.masked, round.mask); !runs) {
+      run.fault = runs.error().message;
+    } else {
+      const auto outcome =
+          compute(**runs, round.scene,
+                  stopping(fmt::format("{} by {}", round.kind.group, device(index).info.backend)));
+      if (failedWith(ErrorCode::cancelled, outcome)) return cancelled();
+      run.milliseconds = outcome.milliseconds;
+      run.notes = notesOf(outcome);
+      run.fault = faultByCheck(outcome, round.scene, round.refusable(), options_.threads);
+      if (run.fault.empty()) run.fault = faultByReference(outcome, reference, round.scene);
+      // The device's results pass the check, but the reference has no right results to compare them with.
+      if (run.fault.empty() && !reference_fault.empty())
+        run.fault = "cpu cannot judge it: " + reference_fault;
+      if (failedWith(ErrorCode::device, outcome)) opened_[index].close(round.kind.masked);
+    }
+    device(index).runs.push_back(std::move(run));
+    return {};
+  }
+
+  [[nodiscard]] bool continues(std::string_view what) {
     return !options_.progress || options_.progress(what, done_ / steps());
   }
-  [[nodiscard]] double steps() const;
-  [[nodiscard]] std::uint64_t roundsOf(const SceneKind& kind) const;
+
+  [[nodiscard]] double steps() const {
+    double all = 0;
+    for (const SceneKind& kind : kinds_) all += static_cast<double>(roundsOf(kind));
+    return all * static_cast<double>(tested_.size());
+  }
+
+  [[nodiscard]] std::uint64_t roundsOf(const SceneKind& kind) const {
+    if (kind.traits != Traits::random && kind.traits != Traits::often) return 1;
+    if (!options_.quick) return rounds;
+    return kind.traits == Traits::often ? quick_often : quick_rounds;
+  }
+
   [[nodiscard]] SelftestDevice& device(std::size_t index) { return report_.devices[tested_[index].device]; }
   /// A progress for one run that reports `what` instead of the run's stages. It stops the run if the caller's
   /// progress asks for that.
   [[nodiscard]] Progress stopping(std::string what) {
     if (!options_.progress) return {};
-    return [this, what = std::move(what)](std::string_view, double) { return goesOn(what); };
+    return [this, what = std::move(what)](std::string_view, double) { return continues(what); };
   }
 
   std::span<const SceneKind> kinds_;
   const std::vector<Tested>& tested_;
   const SelftestOptions& options_;
   SelftestReport& report_;
-  Opened judge_;
+  Opened reference_;
   std::vector<Opened> opened_;
   double done_ = 0;  ///< number of rounds on devices done
 };
 
-tl::unexpected<Error> cancelled() { return tl::unexpected(Error{ErrorCode::cancelled, "cancelled"}); }
-
-std::uint64_t Test::roundsOf(const SceneKind& kind) const {
-  if (kind.traits != Traits::random && kind.traits != Traits::often) return 1;
-  if (!options_.quick) return rounds;
-  return kind.traits == Traits::often ? quick_often : quick_rounds;
-}
-
-double Test::steps() const {
-  double all = 0;
-  for (const SceneKind& kind : kinds_) all += static_cast<double>(roundsOf(kind));
-  return all * static_cast<double>(tested_.size());
-}
-
-int subpixelBitsOf(const DeviceInfo& info) {
-  for (const auto& [name, value] : info.limits) {
-    if (name == "subPixelPrecisionBits") return static_cast<int>(value);
-  }
-  return allowed_subpixel_bits;
-}
-
-Result<void> Test::measureArithmetic() {
-  for (std::size_t index = 0; index < tested_.size(); index++) {
-    if (!goesOn("arithmetic")) return cancelled();
-    const auto runs = opened_[index].with(Masked::nothing, {});
-    auto measured = runs ? (*runs)->arithmetic() : tl::unexpected(runs.error());
-    if (measured) {
-      device(index).arithmetic_fault = arithmeticFault(*measured, subpixelBitsOf(device(index).info));
-      device(index).arithmetic = std::move(*measured);
-    } else {
-      device(index).arithmetic_fault = measured.error().message;
-      opened_[index].close(Masked::nothing);
-    }
-  }
-  return {};
-}
-
-Result<void> Test::runKind(const SceneKind& kind) {
-  for (std::uint64_t k = 0; k < roundsOf(kind); k++) {
-    const Scale scale{options_.quick, options_.seed + k};
-    VORPIPE_TRY(runRound({kind, scale, kind.make(scale), maskOf(kind.masked, scale)}));
-  }
-  return {};
-}
-
-Result<Answers> Test::judged(const Round& round) {
-  const auto runs = judge_.with(Masked::nothing, {});
-  if (!runs) return tl::unexpected(runs.error());
-  return answer(**runs, round.scene, stopping(fmt::format("{} by cpu", round.kind.group)));
-}
-
-Result<void> Test::runRound(const Round& round) {
-  const auto judges = judged(round);
-  if (!judges) return tl::unexpected(judges.error());
-  if (wasCancelled(*judges)) return cancelled();
-  const std::string fault = faultByCheck(*judges, round.scene, round.refusable(), options_.threads);
-  for (std::size_t index = 0; index < tested_.size(); index++) {
-    done_++;
-    const bool means_nothing = round.kind.masked != Masked::nothing && !tested_[index].masked;
-    if (means_nothing) continue;
-    VORPIPE_TRY(runOn(index, round, *judges, fault));
-  }
-  return {};
-}
-
-Result<void> Test::runOn(std::size_t index, const Round& round, const Answers& judges,
-                         const std::string& judges_fault) {
-  SelftestRun run;
-  run.group = round.kind.group;
-  run.scene = round.kind.name;
-  run.masked = textOf(round.mask);
-  run.sites = round.scene.sites.size();
-  run.seed = round.scale.seed;
-  if (tested_[index].is_judge) {
-    run.fault = judges_fault;
-    run.milliseconds = judges.milliseconds;
-  } else if (auto runs = opened_[index].with(round.kind.masked, round.mask); !runs) {
-    run.fault = runs.error().message;
-  } else {
-    const auto answers = answer(
-        **runs, round.scene, stopping(fmt::format("{} by {}", round.kind.group, device(index).info.backend)));
-    if (wasCancelled(answers)) return cancelled();
-    run.milliseconds = answers.milliseconds;
-    run.notes = notesOf(answers);
-    run.fault = faultByCheck(answers, round.scene, round.refusable(), options_.threads);
-    if (run.fault.empty()) run.fault = faultByJudge(answers, judges, round.scene);
-    // The device's answers pass the check, but the judge has no right answers to compare them with.
-    if (run.fault.empty() && !judges_fault.empty()) run.fault = "cpu cannot judge it: " + judges_fault;
-    if (deviceFailed(answers)) opened_[index].close(round.kind.masked);
-  }
-  device(index).runs.push_back(std::move(run));
-  return {};
-}
-
 }  // namespace
 
 Result<void> runScenes(std::span<const SceneKind> kinds, const std::vector<Tested>& tested,
-                       const OpenRuns& judge, const SelftestOptions& options, SelftestReport& report) {
-  return Test(kinds, tested, judge, options, report).run();
+                       const OpenRuns& reference, const SelftestOptions& options, SelftestReport& report) {
+  return Test(kinds, tested, reference, options, report).run();
 }
 
 std::string arithmeticFault(const Arithmetic& measured, int subpixel_bits) {

@@ -5,10 +5,12 @@
 #include <algorithm>
 #include <cctype>
 #include <charconv>
-#include <chrono>
 #include <map>
+#include <memory>
 #include <new>
+#include <utility>
 
+#include "base/stopwatch.h"
 #include "base/try.h"
 #include "selftest/run_scenes.h"
 
@@ -16,11 +18,32 @@ namespace vorpipe {
 namespace selftests {
 namespace {
 
-std::string lower(std::string_view mixed) {
-  std::string result(mixed);
-  std::ranges::transform(result, result.begin(),
-                         [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return result;
+class SessionRuns final : public Runs {
+ public:
+  explicit SessionRuns(Session session) : session_(std::move(session)) {}
+
+  Result<Rendering> render(const Sites& sites, const RenderOptions& options) override {
+    return session_.render(sites, options);
+  }
+  Result<Diagram> cells(const Sites& sites, const CellsOptions& options) override {
+    return session_.cells(sites, options);
+  }
+  Result<Arithmetic> arithmetic() override { return session_.arithmetic(); }
+
+ private:
+  Session session_;
+};
+
+/// The runs of a session opened with `options`; masks add their limits to the options' own.
+OpenRuns sessionRuns(const BackendOptions& options) {
+  return [options](const Mask& mask) -> Result<std::unique_ptr<Runs>> {
+    BackendOptions masked = options;
+    auto& limits = masked.mask.limits;
+    limits.insert(limits.end(), mask.limits.begin(), mask.limits.end());
+    auto session = Session::open(masked);
+    if (!session) return tl::unexpected(std::move(session.error()));
+    return std::make_unique<SessionRuns>(std::move(*session));
+  };
 }
 
 /// The name of the backend that `auto` and `vulkan` stand for here; any other name as it is.
@@ -42,7 +65,8 @@ bool isNamed(const SelftestDevice& device, std::string_view wanted) {
   int index = 0;
   const auto [stop, error] = std::from_chars(wanted.data(), wanted.data() + wanted.size(), index);
   if (error == std::errc() && stop == wanted.data() + wanted.size()) return device.index == index;
-  return lower(device.info.name).find(lower(wanted)) != std::string::npos;
+  const auto lower = [](unsigned char letter) { return std::tolower(letter); };
+  return !std::ranges::search(device.info.name, wanted, {}, lower, lower).empty();
 }
 
 /// The devices that the options name. Errors (device): there is none, or the options name some and none is
@@ -94,7 +118,7 @@ BackendOptions optionsOf(SelftestDevice& device, const SelftestOptions& options)
 }
 
 Result<SelftestReport> run(const SelftestOptions& options) {
-  const auto start = std::chrono::steady_clock::now();
+  const Stopwatch watch;
   SelftestReport report;
   report.seed = options.seed;
   report.quick = options.quick;
@@ -108,12 +132,11 @@ Result<SelftestReport> run(const SelftestOptions& options) {
     const bool is_cpu = device.info.backend == "cpu";
     tested.push_back({i, sessionRuns(optionsOf(device, options)), is_cpu, !is_cpu});
   }
-  BackendOptions judge;
-  judge.name = "cpu";
-  judge.threads = options.threads;
-  VORPIPE_TRY(runScenes(sceneKinds(), tested, sessionRuns(judge), options, report));
-  report.milliseconds =
-      std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
+  BackendOptions reference;
+  reference.name = "cpu";
+  reference.threads = options.threads;
+  VORPIPE_TRY(runScenes(sceneKinds(), tested, sessionRuns(reference), options, report));
+  report.milliseconds = watch.milliseconds();
   return report;
 }
 

@@ -7,9 +7,9 @@
 #include <string>
 #include <vector>
 
-#include "view/screen.h"
 #include "view/script.h"
 #include "view/viewer.h"
+#include "view/window/window.h"
 
 namespace vorpipe::view {
 

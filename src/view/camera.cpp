@@ -60,7 +60,7 @@ void Camera::pan(double right, double down) {
   fitted_ = false;
 }
 
-void Camera::zoom(Place fixed, double factor) {
+void Camera::zoom(Position fixed, double factor) {
   const double side = std::max(domain_.xmax - domain_.xmin, domain_.ymax - domain_.ymin);
   const double farthest = std::max(
       {std::abs(domain_.xmin), std::abs(domain_.xmax), std::abs(domain_.ymin), std::abs(domain_.ymax), side});
@@ -80,17 +80,18 @@ Box Camera::view() const {
   return {middle_.x - half_width, middle_.y - half_height, middle_.x + half_width, middle_.y + half_height};
 }
 
-Point Camera::pointAt(Place place) const {
-  return {middle_.x + (place.x - width_ / 2.0) * scale_, middle_.y - (place.y - height_ / 2.0) * scale_};
+Point Camera::pointAt(Position position) const {
+  return {middle_.x + (position.x - width_ / 2.0) * scale_,
+          middle_.y - (position.y - height_ / 2.0) * scale_};
 }
 
-Place Camera::placeOf(Point point) const {
+Position Camera::positionOf(Point point) const {
   return {width_ / 2.0 + (point.x - middle_.x) / scale_, height_ / 2.0 - (point.y - middle_.y) / scale_};
 }
 
 Placement Camera::placementOf(const Box& pictured) const {
   if (isEqual(pictured, view())) return {0, 0, static_cast<double>(width_), static_cast<double>(height_)};
-  const Place corner = placeOf({pictured.xmin, pictured.ymax});
+  const Position corner = positionOf({pictured.xmin, pictured.ymax});
   return {corner.x, corner.y, (pictured.xmax - pictured.xmin) / scale_,
           (pictured.ymax - pictured.ymin) / scale_};
 }

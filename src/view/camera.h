@@ -30,12 +30,12 @@ class Camera {
   void pan(double right, double down);
   /// Magnifies the view by `factor` and keeps the point at `fixed` in place. Limits: neighboring pixels stay
   /// distinguishable in double, and the domain does not get smaller than a pixel.
-  void zoom(Place fixed, double factor);
+  void zoom(Position fixed, double factor);
 
   [[nodiscard]] Box view() const;
   [[nodiscard]] double unitsPerPixel() const { return scale_; }
-  [[nodiscard]] Point pointAt(Place place) const;
-  [[nodiscard]] Place placeOf(Point point) const;
+  [[nodiscard]] Point pointAt(Position position) const;
+  [[nodiscard]] Position positionOf(Point point) const;
   /// Returns where a picture of the box `pictured` lies in the window; for the view itself, the whole window.
   [[nodiscard]] Placement placementOf(const Box& pictured) const;
   [[nodiscard]] int width() const { return width_; }

@@ -27,6 +27,11 @@ class Arguments {
       all_.push_back(std::move(text));
     }
   }
+  /// A value that differs from the default.
+  template <class Value>
+  void option(std::string_view name, const Value& value, const Value& usual) {
+    if (value != usual) add(name, value);
+  }
   void box(std::string_view name, const Box& box) {
     add(name, fmt::format("{},{},{},{}", box.xmin, box.ymin, box.xmax, box.ymax));
   }
@@ -62,7 +67,7 @@ void addSites(Arguments& to, const Document& document, const CommandFiles& files
 void addColors(Arguments& to, const RenderOptions& picture) {
   to.flag(!picture.fill, "--no-fill");
   if (picture.color != ColorBy::site) to.add("--color", nameIn(color_names, picture.color));
-  if (picture.colormap != RenderOptions{}.colormap) to.add("--colormap", picture.colormap);
+  to.option("--colormap", picture.colormap, RenderOptions{}.colormap);
   if (picture.color_scale != ColorScale::automatic) {
     to.add("--color-scale", nameIn(scale_names, picture.color_scale));
   }
@@ -75,23 +80,22 @@ void addColors(Arguments& to, const RenderOptions& picture) {
 void addMarks(Arguments& to, const RenderOptions& picture) {
   const RenderOptions usual{};
   to.flag(picture.edges, "--edges");
-  if ((picture.edges || picture.dual) && picture.edge_width != usual.edge_width)
-    to.add("--edge-width", picture.edge_width);
+  if (picture.edges || picture.dual) to.option("--edge-width", picture.edge_width, usual.edge_width);
   to.flag(picture.show_sites, "--show-sites");
-  if (picture.show_sites && picture.dot_size != usual.dot_size) to.add("--dot-size", picture.dot_size);
+  if (picture.show_sites) to.option("--dot-size", picture.dot_size, usual.dot_size);
   to.flag(picture.dual, "--dual");
   to.flag(picture.labels, "--labels");
-  if (picture.labels && picture.label_size != usual.label_size) to.add("--label-size", picture.label_size);
-  if (picture.antialias != usual.antialias) to.add("--antialias", picture.antialias);
-}
-
-void addSearch(Arguments& to, const SearchOptions& search) {
-  if (search.method == Search::flann) to.add("--search", fmt::format("flann:{}", search.neighbors));
+  if (picture.labels) to.option("--label-size", picture.label_size, usual.label_size);
+  to.option("--antialias", picture.antialias, usual.antialias);
+  if (const SearchOptions& search = picture.search; search.method == Search::flann) {
+    to.add("--search", fmt::format("flann:{}", search.neighbors));
+  }
 }
 
 void addBackend(Arguments& to, const BackendOptions& backend) {
-  if (backend.name != BackendOptions{}.name) to.add("--backend", backend.name);
-  if (!backend.device.empty()) to.add("--device", backend.device);
+  const BackendOptions usual{};
+  to.option("--backend", backend.name, usual.name);
+  to.option("--device", backend.device, usual.device);
   if (backend.threads > 0) to.add("--threads", backend.threads);
   for (const std::string& feature : backend.mask.disabled) to.add("--disable", feature);
   for (const auto& [name, value] : backend.mask.limits) to.add("--limit", fmt::format("{}={}", name, value));
@@ -104,7 +108,6 @@ void addPicture(Arguments& to, const RenderOptions& picture, const BackendOption
   to.add("--fit", "stretch");
   addColors(to, picture);
   addMarks(to, picture);
-  addSearch(to, picture.search);
   addBackend(to, backend);
 }
 

@@ -20,6 +20,16 @@ double wrappedInto(double value, double low, double high) {
 
 }  // namespace
 
+Opened openedFluid(FixedFluid fluid, std::string name) {
+  Opened opened;
+  opened.sites = *fluid->sites;
+  opened.domain = fluid->setup.options.domain;
+  opened.periodic = fluid->setup.options.periodic;
+  opened.fluid = std::move(fluid);
+  opened.fluid_name = std::move(name);
+  return opened;
+}
+
 Document::Document(Opened opened) {
   now_.opened = std::make_shared<const Opened>(std::move(opened));
   now_.sites = sitesOf(now_.opened);
@@ -30,17 +40,17 @@ double Document::weight(std::uint32_t site) const {
   return now_.sites->weight.empty() ? 0 : now_.sites->weight[site];
 }
 
-Point Document::inDomain(Point place) const {
+Point Document::inDomain(Point point) const {
   const auto& [xmin, ymin, xmax, ymax] = now_.opened->domain;
-  const Periodic axes = now_.opened->periodic;
-  if (axes == Periodic::x || axes == Periodic::xy) place.x = wrappedInto(place.x, xmin, xmax);
-  if (axes == Periodic::y || axes == Periodic::xy) place.y = wrappedInto(place.y, ymin, ymax);
-  return place;
+  const Point period = periodsOf(now_.opened->domain, now_.opened->periodic);
+  if (period.x > 0) point.x = wrappedInto(point.x, xmin, xmax);
+  if (period.y > 0) point.y = wrappedInto(point.y, ymin, ymax);
+  return point;
 }
 
-bool Document::isInDomain(Point place) const {
+bool Document::isInDomain(Point point) const {
   const Box& box = now_.opened->domain;
-  return place.x >= box.xmin && place.x <= box.xmax && place.y >= box.ymin && place.y <= box.ymax;
+  return point.x >= box.xmin && point.x <= box.xmax && point.y >= box.ymin && point.y <= box.ymax;
 }
 
 Document::Site Document::siteOf(std::uint32_t site) const {
@@ -71,11 +81,11 @@ void Document::apply(std::uint32_t site, const std::optional<Site>& before,
   now_.sites = std::move(sites);
 }
 
-bool Document::takesUp(Growing growing, std::uint32_t site) {
-  const bool same = growing != Growing::nothing && growing_ == growing && growing_site_ == site &&
-                    done_ > 0 && done_ == edits_.size();
-  growing_ = growing;
-  growing_site_ = site;
+bool Document::extendsLastEdit(EditKind kind, std::uint32_t site) {
+  const bool same = kind != EditKind::nothing && last_kind_ == kind && last_site_ == site && done_ > 0 &&
+                    done_ == edits_.size();
+  last_kind_ = kind;
+  last_site_ = site;
   return same;
 }
 
@@ -85,13 +95,14 @@ void Document::record(Edit edit) {
   ++done_;
 }
 
-void Document::change(std::uint32_t site, const std::optional<Site>& after, Growing growing) {
+void Document::change(std::uint32_t site, const std::optional<Site>& after, EditKind kind) {
   const bool is_new = site == now_.sites->size();
   const std::optional<Site> before = is_new ? std::nullopt : std::optional(siteOf(site));
   const std::uint64_t revision_before = now_.revision;
   apply(site, before, after);
   now_.revision = ++revisions_;
-  if (!takesUp(growing, site)) return record(SiteChange{site, before, after, revision_before, now_.revision});
+  if (!extendsLastEdit(kind, site))
+    return record(SiteChange{site, before, after, revision_before, now_.revision});
   if (auto* const whole = std::get_if<StateChange>(&edits_.back())) {
     whole->after = now_;
   } else {
@@ -109,19 +120,19 @@ bool Document::flow(const FixedFluid& from, FixedFluid to) {
   return true;
 }
 
-std::uint32_t Document::add(Point place) {
+std::uint32_t Document::add(Point point) {
   const auto site = static_cast<std::uint32_t>(now_.sites->size());
-  change(site, Site{place.x, place.y}, Growing::nothing);
+  change(site, Site{point.x, point.y}, EditKind::nothing);
   return site;
 }
 
-void Document::remove(std::uint32_t site) { change(site, std::nullopt, Growing::nothing); }
+void Document::remove(std::uint32_t site) { change(site, std::nullopt, EditKind::nothing); }
 
 void Document::move(std::uint32_t site, Point to) {
   Site moved = siteOf(site);
   moved.x = to.x;
   moved.y = to.y;
-  change(site, moved, Growing::move);
+  change(site, moved, EditKind::move);
 }
 
 void Document::addWeight(std::uint32_t site, double by) {
@@ -133,12 +144,12 @@ void Document::addWeight(std::uint32_t site, double by) {
     sites->weight[site] = by;
     now_.sites = std::move(sites);
     now_.revision = ++revisions_;
-    takesUp(Growing::weight, site);
+    extendsLastEdit(EditKind::weight, site);
     return record(StateChange{before, now_});
   }
   Site heavier = siteOf(site);
   heavier.weight = heavier.weight.value_or(0) + by;
-  change(site, heavier, Growing::weight);
+  change(site, heavier, EditKind::weight);
 }
 
 bool Document::relax(const FixedSites& from, FixedSites to) {
@@ -146,7 +157,7 @@ bool Document::relax(const FixedSites& from, FixedSites to) {
   const State before = now_;
   now_.sites = std::move(to);
   now_.revision = ++revisions_;
-  if (takesUp(Growing::relaxation, 0)) {
+  if (extendsLastEdit(EditKind::relaxation, 0)) {
     std::get<StateChange>(edits_.back()).after = now_;
   } else {
     record(StateChange{before, now_});
@@ -165,29 +176,22 @@ void Document::open(Opened opened) {
 }
 
 void Document::undo() {
-  if (!canUndo()) return;
-  settle();
-  const Edit& edit = edits_[--done_];
-  if (const auto* const whole = std::get_if<StateChange>(&edit)) {
-    now_ = whole->before;
-    return;
-  }
-  const auto& one = std::get<SiteChange>(edit);
-  apply(one.site, one.after, one.before);
-  now_.revision = one.revision_before;
+  if (canUndo()) repeat(edits_[--done_], /*forward=*/false);
 }
 
 void Document::redo() {
-  if (!canRedo()) return;
+  if (canRedo()) repeat(edits_[done_++], /*forward=*/true);
+}
+
+void Document::repeat(const Edit& edit, bool forward) {
   settle();
-  const Edit& edit = edits_[done_++];
   if (const auto* const whole = std::get_if<StateChange>(&edit)) {
-    now_ = whole->after;
+    now_ = forward ? whole->after : whole->before;
     return;
   }
   const auto& one = std::get<SiteChange>(edit);
-  apply(one.site, one.before, one.after);
-  now_.revision = one.revision_after;
+  apply(one.site, forward ? one.before : one.after, forward ? one.after : one.before);
+  now_.revision = forward ? one.revision_after : one.revision_before;
 }
 
 }  // namespace vorpipe::view

@@ -2,9 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <utility>
-
-#include "view/opened.h"
 
 namespace vorpipe::view {
 namespace {
@@ -16,19 +15,35 @@ constexpr double longest_piece = 0.125;
 /// radius.
 double brush(double squared) { return squared < 1 ? (1 - squared) * (1 - squared) : 0; }
 
-double leastImage(double difference, bool repeats, double period) {
-  return repeats ? std::remainder(difference, period) : difference;
+/// Multiplies two colors channel by channel; white leaves the other unchanged.
+std::uint32_t through(std::uint32_t filter, std::uint32_t color) {
+  constexpr std::uint32_t most = 255;
+  std::uint32_t seen = color & 0xFF000000U;
+  for (int shift = 0; shift < 24; shift += 8) {
+    const std::uint32_t product = (filter >> shift & most) * (color >> shift & most);
+    seen |= (product + most / 2) / most << shift;
+  }
+  return seen;
 }
 
 }  // namespace
 
+Point periodsOf(const Box& domain, Periodic axes) {
+  return {axes == Periodic::x || axes == Periodic::xy ? domain.xmax - domain.xmin : 0,
+          axes == Periodic::y || axes == Periodic::xy ? domain.ymax - domain.ymin : 0};
+}
+
+double leastImage(double difference, double period) {
+  return period > 0 ? std::remainder(difference, period) : difference;
+}
+
 FixedFluid toBegin(FluidSetup setup) {
-  auto flowing = std::make_shared<Flowing>();
-  flowing->setup = std::move(setup);
-  flowing->last.step = flowing->setup.state.step;
-  flowing->last.time = flowing->setup.state.time;
-  flowing->sites = std::make_shared<const Sites>(flowing->setup.state.sites);
-  return flowing;
+  auto snapshot = std::make_shared<FluidSnapshot>();
+  snapshot->setup = std::move(setup);
+  snapshot->last.step = snapshot->setup.state.step;
+  snapshot->last.time = snapshot->setup.state.time;
+  snapshot->sites = std::make_shared<const Sites>(snapshot->setup.state.sites);
+  return snapshot;
 }
 
 FlowColor usualFlowColor(const FluidState& state, ColorBy color) {
@@ -39,10 +54,7 @@ FlowColor usualFlowColor(const FluidState& state, ColorBy color) {
 
 std::vector<Point> pushOf(const Stroke& stroke, const FluidSetup& fluid) {
   const Sites& sites = fluid.state.sites;
-  const FluidOptions& options = fluid.options;
-  const Box& box = options.domain;
-  const bool in_x = options.periodic == Periodic::x || options.periodic == Periodic::xy;
-  const bool in_y = options.periodic == Periodic::y || options.periodic == Periodic::xy;
+  const Point period = periodsOf(fluid.options.domain, fluid.options.periodic);
   const Point way{stroke.to.x - stroke.from.x, stroke.to.y - stroke.from.y};
   const double length = std::hypot(way.x, way.y) / stroke.radius;
   const double pieces = std::max(1.0, std::ceil(length / longest_piece));
@@ -51,10 +63,8 @@ std::vector<Point> pushOf(const Stroke& stroke, const FluidSetup& fluid) {
     double felt = 0;
     for (double k = 0.5; k < pieces; ++k) {
       const double part = k / pieces;
-      const double dx =
-          leastImage(sites.x[i] - (stroke.from.x + part * way.x), in_x, box.xmax - box.xmin) / stroke.radius;
-      const double dy =
-          leastImage(sites.y[i] - (stroke.from.y + part * way.y), in_y, box.ymax - box.ymin) / stroke.radius;
+      const double dx = leastImage(sites.x[i] - (stroke.from.x + part * way.x), period.x) / stroke.radius;
+      const double dy = leastImage(sites.y[i] - (stroke.from.y + part * way.y), period.y) / stroke.radius;
       felt += brush(dx * dx + dy * dy);
     }
     const double speed = stroke.speed / stroke.radius * felt / pieces;
@@ -75,14 +85,37 @@ double usualSpeed(const FluidSetup& fluid) {
   return speed > 0 ? speed : std::min(width, height);
 }
 
-Opened openedFluid(FixedFluid fluid, std::string name) {
-  Opened opened;
-  opened.sites = *fluid->sites;
-  opened.domain = fluid->setup.options.domain;
-  opened.periodic = fluid->setup.options.periodic;
-  opened.fluid = std::move(fluid);
-  opened.fluid_name = std::move(name);
-  return opened;
+RenderOptions ofWhiteCells(RenderOptions options) {
+  options.color = ColorBy::site;
+  options.color_scale = ColorScale::automatic;
+  options.color_range.reset();
+  options.legend = options.fill = false;
+  return options;
+}
+
+Sites valuesOf(const FluidState& state, FlowColor by) {
+  Sites values = state.sites;
+  values.weight.assign(values.size(), 1);
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    if (by == FlowColor::speed) {
+      values.weight[i] = std::hypot(state.velocity[i].x, state.velocity[i].y);
+    } else if (!state.density.empty()) {
+      values.weight[i] = state.density[i];
+    }
+  }
+  return values;
+}
+
+Result<void> colorFlow(const FluidState& state, FlowColor by, const RenderOptions& options, Image& image) {
+  RenderOptions scaled = options;
+  scaled.color = ColorBy::weight;
+  if (scaled.color_scale == ColorScale::automatic) scaled.color_scale = ColorScale::linear;
+  const auto colors = siteColors(valuesOf(state, by), {}, scaled);
+  if (!colors) return tl::unexpected(colors.error());
+  for (std::size_t at = 0; at < image.ids.size(); ++at) {
+    if (image.ids[at] != no_site) image.rgba[at] = through(colors->rgba[image.ids[at]], image.rgba[at]);
+  }
+  return {};
 }
 
 }  // namespace vorpipe::view

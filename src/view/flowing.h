@@ -1,11 +1,13 @@
-/// The state of a window's fluid at one moment.
+/// The fluid of a window: its state at one moment, how it is stirred, and the colors of its cells.
 #pragma once
 
 #include <cstdint>
 #include <memory>
+#include <vector>
 
 #include "vorpipe/fluid.h"
 #include "vorpipe/picture.h"
+#include "vorpipe/result.h"
 #include "vorpipe/sites.h"
 
 namespace vorpipe::view {
@@ -15,17 +17,23 @@ namespace vorpipe::view {
 using FixedSites = std::shared_ptr<const Sites>;
 
 /// All that later steps depend on. Immutable: a step makes a new one.
-struct Flowing {
+struct FluidSnapshot {
   FluidSetup setup{};  ///< present setup; without progress
   FluidStep last{};    ///< the result of the last step
   FixedSites sites{};  ///< those of the state; two states with the same sites may still differ in velocities
   bool is_begun = false;      ///< the sites already have their cells' weights
   std::uint64_t stirred = 0;  ///< the number of the last stroke included in the velocities
 };
-using FixedFluid = std::shared_ptr<const Flowing>;
+using FixedFluid = std::shared_ptr<const FluidSnapshot>;
 
 /// Returns a fluid that is yet to begin, or to continue with other options.
 FixedFluid toBegin(FluidSetup setup);
+
+/// Returns the width and the height of a domain; 0 along an axis that is not periodic.
+Point periodsOf(const Box& domain, Periodic axes);
+
+/// Returns the value of `difference` modulo `period` that is nearest to 0; unchanged if the period is 0.
+double leastImage(double difference, double period);
 
 /// What the colors of a fluid's cells show.
 enum class FlowColor : std::uint8_t {
@@ -51,5 +59,16 @@ std::vector<Point> pushOf(const Stroke& stroke, const FluidSetup& fluid);
 
 /// Returns a typical speed of a fluid: that of its sites, or of a fall through its domain.
 double usualSpeed(const FluidSetup& fluid);
+
+/// Returns options for the same picture with white cells, which colorFlow() then colors.
+RenderOptions ofWhiteCells(RenderOptions options);
+
+/// Returns sites whose weights are densities or speeds, so that coloring by weight shows these values.
+Sites valuesOf(const FluidState& state, FlowColor by);
+
+/// Colors the white cells of a picture and the marks over them. Map, scale (linear if none is named) and
+/// range are those of `options`. A pixel with several samples gets the color of the cell at its center.
+/// Errors: those of siteColors.
+Result<void> colorFlow(const FluidState& state, FlowColor by, const RenderOptions& options, Image& image);
 
 }  // namespace vorpipe::view

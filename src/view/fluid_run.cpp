@@ -1,4 +1,4 @@
-#include "view/fluid_run.h"
+#include "view/painter.h"
 
 #include <utility>
 
@@ -19,23 +19,23 @@ double kineticEnergy(const FluidState& state) {
 
 }  // namespace
 
-/// Whether the wish's fluid is in this one's present state. Or in the state before, if the wish was issued in
-/// the same gesture before the last change was known.
-bool FluidRun::isAt(const Wish& wish) const {
+/// Whether the request's fluid is in this one's present state. Or in the state before, if the request was
+/// issued in the same gesture before the last change was known.
+bool FluidRun::isAt(const FrameRequest& request) const {
   if (!fluid_) return false;
-  return wish.fluid == now_ || (wish.fluid == before_ && wish.gesture == gesture_);
+  return request.fluid == now_ || (request.fluid == before_ && request.gesture == gesture_);
 }
 
 /// Makes the fluid's present state available to others, as `now_`.
 void FluidRun::take(FixedSites sites, std::uint64_t stirred) {
-  auto flowing = std::make_shared<Flowing>();
-  flowing->setup = {fluid_->state(), setup_.options};
-  flowing->last = fluid_->last();
-  flowing->sites = sites ? std::move(sites) : std::make_shared<const Sites>(flowing->setup.state.sites);
-  flowing->is_begun = true;
-  if (stirred != now_->stirred) flowing->last.kinetic = kineticEnergy(flowing->setup.state);
-  flowing->stirred = stirred;
-  now_ = std::move(flowing);
+  auto snapshot = std::make_shared<FluidSnapshot>();
+  snapshot->setup = {fluid_->state(), setup_.options};
+  snapshot->last = fluid_->last();
+  snapshot->sites = sites ? std::move(sites) : std::make_shared<const Sites>(snapshot->setup.state.sites);
+  snapshot->is_begun = true;
+  if (stirred != now_->stirred) snapshot->last.kinetic = kineticEnergy(snapshot->setup.state);
+  snapshot->stirred = stirred;
+  now_ = std::move(snapshot);
 }
 
 Result<void> FluidRun::begin(Session& session, const FixedFluid& from, const Progress& progress) {
@@ -51,9 +51,9 @@ Result<void> FluidRun::begin(Session& session, const FixedFluid& from, const Pro
   return {};
 }
 
-Result<void> FluidRun::stir(const Wish& wish) {
+Result<void> FluidRun::stir(const FrameRequest& request) {
   std::uint64_t stirred = now_->stirred;
-  for (const Stroke& stroke : wish.strokes) {
+  for (const Stroke& stroke : request.strokes) {
     if (stroke.number <= now_->stirred) continue;
     VORPIPE_TRY(fluid_->push(pushOf(stroke, now_->setup)));
     stirred = stroke.number;
@@ -78,21 +78,22 @@ Result<void> FluidRun::step(Frame& frame) {
   return {};
 }
 
-Result<void> FluidRun::go(Session& session, const Wish& wish, const Progress& progress, Frame& frame) {
-  const bool stirs = !wish.strokes.empty() && wish.strokes.back().number > wish.fluid->stirred;
-  const bool steps = wish.motion != Motion::rests;
-  frame.fluid_from = frame.fluid = wish.fluid;
-  if (wish.fluid->is_begun && !stirs && !steps) return {};
-  // A single step must start from the state for which it was wished.
-  const bool is_at = isAt(wish) && (wish.motion != Motion::steps_once || wish.fluid == now_);
+Result<void> FluidRun::go(Session& session, const FrameRequest& request, const Progress& progress,
+                          Frame& frame) {
+  const bool stirs = !request.strokes.empty() && request.strokes.back().number > request.fluid->stirred;
+  const bool steps = request.motion != Motion::rests;
+  frame.fluid_from = frame.fluid = request.fluid;
+  if (request.fluid->is_begun && !stirs && !steps) return {};
+  // A single step must start from the state for which it was requested.
+  const bool is_at = isAt(request) && (request.motion != Motion::steps_once || request.fluid == now_);
   if (!is_at) {
-    VORPIPE_TRY(begin(session, wish.fluid, progress));
+    VORPIPE_TRY(begin(session, request.fluid, progress));
   } else {
     frame.fluid_from = now_;
   }
   before_ = frame.fluid_from;
-  gesture_ = wish.gesture;
-  VORPIPE_TRY(stir(wish));
+  gesture_ = request.gesture;
+  VORPIPE_TRY(stir(request));
   if (steps) {
     VORPIPE_TRY(step(frame));
   }

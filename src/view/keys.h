@@ -2,10 +2,10 @@
 #pragma once
 
 #include <string>
+#include <utility>
 #include <variant>
 #include <vector>
 
-#include "view/action.h"
 #include "view/settings.h"
 #include "view/window/event.h"
 
@@ -23,14 +23,10 @@ const std::vector<KeyBinding>& keyBindings();
 /// Returns the binding of a key; nullptr: none. Ignores Shift if the table has no such key with Shift.
 const KeyBinding* bindingOf(const Key& key);
 
-/// Returns the label in the help, e.g. "Ctrl+Shift+Z".
-std::string labelOf(const KeyBinding& binding);
+std::string labelOf(const KeyBinding& binding);  ///< in the help, e.g. "Ctrl+Shift+Z"
 
-struct HelpLine {
-  std::string keys, what;
-};
-
-/// Returns a line for each action of pointer and keys; keys with the same action share a line.
-std::vector<HelpLine> helpLines();
+/// Returns keys and what they do, for each action of pointer and keys; keys with the same action share a
+/// line.
+std::vector<std::pair<std::string, std::string>> helpLines();
 
 }  // namespace vorpipe::view

@@ -7,11 +7,31 @@
 
 #include "base/stopwatch.h"
 #include "base/try.h"
-#include "view/flow_colors.h"
 #include "vorpipe/free_surface.h"
 
 namespace vorpipe::view {
 namespace {
+
+/// Returns the picture of a domain without sites, which is white.
+Rendering emptyPicture(const RenderOptions& options) {
+  constexpr std::uint32_t white = 0xFFFFFFFF;
+  Rendering rendering{};
+  Image& image = rendering.image;
+  image.width = options.width;
+  image.height = options.height;
+  const Box& domain = options.domain;
+  const Box view = options.view.value_or(domain);
+  for (int row = 0; row < image.height; ++row) {
+    const double y = view.ymax - (row + 0.5) / image.height * (view.ymax - view.ymin);
+    for (int column = 0; column < image.width; ++column) {
+      const double x = view.xmin + (column + 0.5) / image.width * (view.xmax - view.xmin);
+      const bool inside = x > domain.xmin && x < domain.xmax && y > domain.ymin && y < domain.ymax;
+      image.rgba.push_back(inside ? white : 0);
+    }
+  }
+  image.ids.assign(image.rgba.size(), no_site);
+  return rendering;
+}
 
 /// Returns in how many pixels two pictures of the same size differ.
 std::uint64_t countDifferent(const Image& a, const Image& b) {
@@ -42,58 +62,95 @@ Result<void> finish(const Frame& frame, int threads, Image& image) {
 
 }  // namespace
 
+Result<bool> Renderer::open(const BackendOptions& backend, const std::string& not_cpu,
+                            const std::function<void()>& end) {
+  const bool is_open = session_ && isSame(backend, backend_);
+  const bool may_do_better = is_open && session_->device().backend == "cpu" && not_cpu != not_cpu_;
+  if (is_open && (not_cpu.empty() || !may_do_better)) return false;
+  auto session = Session::open(backend);
+  if (session && !not_cpu.empty() && session->device().backend == "cpu") {
+    BackendOptions other = backend;
+    other.name = not_cpu;
+    if (auto better = Session::open(other)) session = std::move(better);
+  }
+  if (!session) return tl::unexpected(std::move(session.error()));
+  if (end) end();
+  close();
+  session_ = std::make_unique<Session>(std::move(*session));
+  backend_ = backend;
+  not_cpu_ = not_cpu;
+  return true;
+}
+
+void Renderer::close() {
+  // The sites go before the session that keeps them.
+  kept_.reset();
+  kept_of_.reset();
+  session_.reset();
+}
+
+Result<Rendering> Renderer::render(const FixedSites& sites, const RenderOptions& options) {
+  if (sites->size() == 0) return emptyPicture(options);
+  if (!kept_ || kept_of_ != sites) {
+    kept_.emplace(*session_, *sites);
+    kept_of_ = sites;
+  }
+  return kept_->render(options);
+}
+
 Progress Painter::progress() const {
   return [this](std::string_view /*stage*/, double /*fraction*/) { return !outdated_ || !outdated_(); };
 }
 
-Result<void> Painter::open(const Wish& wish, Answer& answer) {
-  if (!wish.compared) compared_.close();
-  const auto opened = main_.open(wish.backend, wish.not_cpu, [this] {
+Result<void> Painter::open(const FrameRequest& request, RenderResult& result) {
+  if (!request.compared) compared_.close();
+  const auto opened = main_.open(request.backend, request.not_cpu, [this] {
     relaxation_.reset();
     fluid_.reset();
   });
   if (!opened) return tl::unexpected(opened.error());
   if (*opened) {
     measured_.reset();
-    answer.device = main_.session().device();
+    result.device = main_.session().device();
   }
-  if (!wish.compared) return {};
-  const auto other = compared_.open(*wish.compared);
+  if (!request.compared) return {};
+  const auto other = compared_.open(*request.compared);
   if (!other) return tl::unexpected(other.error());
   return {};
 }
 
-/// Whether the wish's sites are those of the relaxation's last step. Or of the step before, if the wish was
-/// issued in the same gesture before the last step was known.
-bool Painter::isAt(const Wish& wish) const {
-  if (!relaxation_ || method_ != wish.method || density_ != wish.density) return false;
-  return wish.sites == relaxed_ || (wish.sites == relaxed_before_ && wish.gesture == relaxed_gesture_);
+/// Whether the request's sites are those of the relaxation's last step. Or of the step before, if the request
+/// was issued in the same gesture before the last step was known.
+bool Painter::isAt(const FrameRequest& request) const {
+  if (!relaxation_ || method_ != request.method || density_ != request.density) return false;
+  return request.sites == relaxed_ ||
+         (request.sites == relaxed_before_ && request.gesture == relaxed_gesture_);
 }
 
-Result<void> Painter::begin(const Wish& wish) {
+Result<void> Painter::begin(const FrameRequest& request) {
   RelaxOptions options{};
-  options.domain = wish.picture.domain;
-  options.outline = wish.picture.outline;
-  options.periodic = wish.picture.periodic;
-  options.search = wish.picture.search;
-  options.method = wish.method;
-  if (wish.density) options.density = *wish.density;
+  options.domain = request.picture.domain;
+  options.outline = request.picture.outline;
+  options.periodic = request.picture.periodic;
+  options.search = request.picture.search;
+  options.method = request.method;
+  if (request.density) options.density = *request.density;
   options.iterations = std::numeric_limits<std::uint32_t>::max();
   options.progress = progress();
   relaxation_.reset();
-  auto begun = Relaxation::begin(main_.session(), *wish.sites, std::move(options));
+  auto begun = Relaxation::begin(main_.session(), *request.sites, std::move(options));
   if (!begun) return tl::unexpected(std::move(begun.error()));
   relaxation_ = std::move(*begun);
-  relaxed_ = wish.sites;
+  relaxed_ = request.sites;
   relaxed_before_.reset();
-  method_ = wish.method;
-  density_ = wish.density;
+  method_ = request.method;
+  density_ = request.density;
   return {};
 }
 
-Result<void> Painter::step(const Wish& wish, Frame& frame) {
-  if (!isAt(wish)) {
-    VORPIPE_TRY(begin(wish));
+Result<void> Painter::step(const FrameRequest& request, Frame& frame) {
+  if (!isAt(request)) {
+    VORPIPE_TRY(begin(request));
   }
   // Rejected diagrams move no sites.
   const auto& trace = relaxation_->trace();
@@ -114,24 +171,24 @@ Result<void> Painter::step(const Wish& wish, Frame& frame) {
   if (!*more) return {};
   frame.sites = std::make_shared<const Sites>(relaxation_->sites());
   relaxed_before_ = std::exchange(relaxed_, frame.sites);
-  relaxed_gesture_ = wish.gesture;
+  relaxed_gesture_ = request.gesture;
   return {};
 }
 
-Result<void> Painter::draw(const Wish& wish, Frame& frame, Answer& answer) {
-  frame.picture = wish.picture;
-  frame.flow_color = wish.flow_color;
-  RenderOptions options = isColoredByFlow(frame) ? ofWhiteCells(wish.picture) : wish.picture;
+Result<void> Painter::draw(const FrameRequest& request, Frame& frame, RenderResult& result) {
+  frame.picture = request.picture;
+  frame.flow_color = request.flow_color;
+  RenderOptions options = isColoredByFlow(frame) ? ofWhiteCells(request.picture) : request.picture;
   options.progress = progress();
   auto rendering = main_.render(frame.sites, options);
   if (!rendering) return tl::unexpected(std::move(rendering.error()));
-  const auto keep = [&answer](const std::vector<std::string>& said) {
-    answer.validation.insert(answer.validation.end(), said.begin(), said.end());
+  const auto keep = [&result](const std::vector<std::string>& said) {
+    result.validation.insert(result.validation.end(), said.begin(), said.end());
   };
   keep(rendering->report.validation_messages);
   VORPIPE_TRY(finish(frame, main_.threads(), rendering->image));
   frame.rendering = std::make_shared<const Rendering>(std::move(*rendering));
-  if (!wish.compared) return {};
+  if (!request.compared) return {};
   auto compared = compared_.render(frame.sites, options);
   if (!compared) return tl::unexpected(std::move(compared.error()));
   keep(compared->report.validation_messages);
@@ -143,30 +200,30 @@ Result<void> Painter::draw(const Wish& wish, Frame& frame, Answer& answer) {
   return {};
 }
 
-Answer Painter::paint(const Wish& wish, const Outdated& outdated) {
+RenderResult Painter::paint(const FrameRequest& request, const Outdated& outdated) {
   const Stopwatch watch;
   outdated_ = outdated;
-  Answer answer{};
-  answer.wish = wish.number;
-  const auto fails = [&answer](Error& error) {
-    answer.error = std::move(error);
-    return answer;
+  RenderResult result{};
+  result.request = request.number;
+  const auto fails = [&result](Error& error) {
+    result.error = std::move(error);
+    return result;
   };
-  if (auto opened = open(wish, answer); !opened) return fails(opened.error());
-  Frame frame{wish.number, wish.sites};
-  if (wish.fluid) {
-    if (auto gone = fluid_.go(main_.session(), wish, progress(), frame); !gone) return fails(gone.error());
-    if (const Report* const report = fluid_.report()) answer.validation = report->validation_messages;
-  } else if (wish.motion != Motion::rests && wish.sites->size() > 0) {
-    if (auto stepped = step(wish, frame); !stepped) return fails(stepped.error());
-    answer.validation = relaxation_->report().validation_messages;
+  if (auto opened = open(request, result); !opened) return fails(opened.error());
+  Frame frame{request.number, request.sites};
+  if (request.fluid) {
+    if (auto gone = fluid_.go(main_.session(), request, progress(), frame); !gone) return fails(gone.error());
+    if (const Report* const report = fluid_.report()) result.validation = report->validation_messages;
+  } else if (request.motion != Motion::rests && request.sites->size() > 0) {
+    if (auto stepped = step(request, frame); !stepped) return fails(stepped.error());
+    result.validation = relaxation_->report().validation_messages;
   }
-  if (auto drawn = draw(wish, frame, answer); !drawn) return fails(drawn.error());
-  painted_ = wish.picture;
+  if (auto drawn = draw(request, frame, result); !drawn) return fails(drawn.error());
+  painted_ = request.picture;
   drawn_fluid_ = frame.fluid;
   frame.milliseconds = watch.milliseconds();
-  answer.frame = std::move(frame);
-  return answer;
+  result.frame = std::move(frame);
+  return result;
 }
 
 std::shared_ptr<const Measures> Painter::measure(const Outdated& outdated) {

@@ -10,7 +10,6 @@
 #include <utility>
 #include <vector>
 
-#include "view/action.h"
 #include "view/settings.h"
 #include "view/window/event.h"
 #include "view/window/presenter.h"
@@ -19,15 +18,14 @@
 
 namespace vorpipe::view {
 
-/// The cell under the pointer.
 struct Hovered {
   std::uint32_t site = 0;
-  Point place{0, 0};  ///< of the site
+  Point position{0, 0};  ///< of the site
   double weight = 0, area = 0;
   std::uint64_t neighbors = 0;
 };
 
-/// Recent times of frames, in milliseconds.
+/// In milliseconds.
 struct FrameTimes {
   double frame = 0;  ///< from a change to its sharp picture
   double order = 0, cells = 0, draw = 0, download = 0, present = 0;
@@ -40,13 +38,11 @@ struct Compared {
   std::string by{};  ///< the other backend, e.g. "cpu on 2 threads"
 };
 
-/// The brush that stirs a fluid, in the window.
 struct BrushShown {
-  Place middle{};
+  Position middle{};
   double radius = 0;  ///< in pixels
 };
 
-/// A fluid.
 struct FluidShown {
   std::string name;  ///< a case, or a file
   FluidOptions options{};
@@ -74,7 +70,7 @@ struct PanelInput {
   std::vector<std::pair<std::string, std::string>> keys{};
 };
 
-struct PanelAnswer {
+struct PanelResult {
   Settings settings;                               ///< as the panel has changed them
   std::vector<Action> actions;                     ///< to perform after the change of settings
   std::optional<FluidCase> begins{};               ///< a fluid that replaces all sites
@@ -87,7 +83,7 @@ struct PanelAnswer {
 };
 
 /// Positions of widgets in the window, by name: "Edges", "Color/area", "Run".
-using PanelPlaces = std::map<std::string, Placement, std::less<>>;
+using WidgetPlacements = std::map<std::string, Placement, std::less<>>;
 
 /// The panel, drawn by Dear ImGui without ImGui's own platform and graphics backends. For one thread only.
 class Panel {
@@ -103,9 +99,9 @@ class Panel {
   bool take(const Event& event);
   /// Draws the next frame from all events taken. Replaces `triangles`, which are empty if nothing is visible.
   /// Equal input gives an equal frame: no time passes.
-  PanelAnswer draw(const PanelInput& input, PanelTriangles& triangles);
+  PanelResult draw(const PanelInput& input, PanelTriangles& triangles);
   /// Positions of widgets in the last frame; those scrolled out of sight may lie outside of the window.
-  [[nodiscard]] const PanelPlaces& places() const;
+  [[nodiscard]] const WidgetPlacements& placements() const;
 
  private:
   struct State;

@@ -10,8 +10,7 @@
 
 namespace vorpipe::view {
 
-/// Frames per second of film.
-inline constexpr int frame_rate = 30;
+inline constexpr int frame_rate = 30;  ///< of films, per second
 
 class Recorder {
  public:
@@ -22,6 +21,9 @@ class Recorder {
   /// Puts the film in place. Without this call there is no film.
   virtual Result<void> finish() = 0;
 };
+
+/// Writes a picture as a PNG file. Errors: those of OutputFile and writePng.
+Result<void> savePng(const std::string& path, const Image& image);
 
 /// Opens a film by ffmpeg if the path ends in .mp4; else a folder of frame-00001.png and so on, creating it
 /// if needed. Errors (input): the folder is not empty, or cannot be written; (device): there is no ffmpeg on

@@ -1,28 +1,70 @@
+// The files that a window writes.
+#include <fmt/format.h>
+
+#include <iterator>
+#include <optional>
+#include <utility>
+
 #include "base/try.h"
 #include "io/base/extension.h"
 #include "io/base/output_file.h"
 #include "io/cells/fluid_state.h"
 #include "io/pictures/picture_file.h"
 #include "view/command.h"
-#include "view/flow_colors.h"
 #include "view/painter.h"
 #include "vorpipe/free_surface.h"
 
 namespace vorpipe::view {
 namespace {
 
-Result<void> saveFluid(const std::string& path, const Flowing& fluid) {
+/// Creates a file, which `write` fills and which then appears whole.
+template <class Write>
+Result<void> writeFile(const std::string& path, const Write& write) {
   auto file = OutputFile::create(path);
   if (!file) return tl::unexpected(std::move(file.error()));
-  VORPIPE_TRY(writeFluid(*file, fluid.setup.state, fluid.setup.options));
+  VORPIPE_TRY(write(*file));
   return file->commit();
 }
 
 }  // namespace
 
+Result<void> writeSites(const std::string& path, const Sites& sites) {
+  const bool weighted = !sites.weight.empty();
+  std::string text = weighted ? "x,y,weight\n" : "x,y\n";
+  for (std::size_t i = 0; i < sites.size(); ++i) {
+    fmt::format_to(std::back_inserter(text), "{},{}", sites.x[i], sites.y[i]);
+    if (weighted) fmt::format_to(std::back_inserter(text), ",{}", sites.weight[i]);
+    text += '\n';
+  }
+  return writeFile(path, [&](OutputFile& file) { return file.write(text); });
+}
+
+Result<void> writeOutline(const std::string& path, const Outline& outline) {
+  std::string text = "MULTIPOLYGON (";
+  for (std::size_t polygon = 0; polygon + 1 < outline.polygon_offsets.size(); ++polygon) {
+    text += polygon > 0 ? ", (" : "(";
+    const auto first_ring = outline.polygon_offsets[polygon];
+    for (auto ring = first_ring; ring < outline.polygon_offsets[polygon + 1]; ++ring) {
+      text += ring > first_ring ? ", (" : "(";
+      const auto first = outline.ring_offsets[ring], end = outline.ring_offsets[ring + 1];
+      for (auto i = first; i < end; ++i) {
+        fmt::format_to(std::back_inserter(text), "{} {}, ", outline.points[i].x, outline.points[i].y);
+      }
+      fmt::format_to(std::back_inserter(text), "{} {})", outline.points[first].x, outline.points[first].y);
+    }
+    text += ')';
+  }
+  text += ")\n";
+  return writeFile(path, [&](OutputFile& file) { return file.write(text); });
+}
+
 Result<void> Painter::save(const Save& save) {
   if (lowerExtension(save.path) == ".csv") return writeSites(save.path, *save.sites);
-  if (lowerExtension(save.path) == ".npz") return saveFluid(save.path, *save.fluid);
+  if (lowerExtension(save.path) == ".npz") {
+    const FluidSetup& fluid = save.fluid->setup;
+    return writeFile(save.path,
+                     [&](OutputFile& file) { return writeFluid(file, fluid.state, fluid.options); });
+  }
   const auto format = pictureFormatOf(save.path);
   if (!format) return tl::unexpected(format.error());
   // In shapes, coloring by weight works for any values.
@@ -51,10 +93,7 @@ Result<void> Painter::save(const Save& save) {
   } else {
     output.image = &save.rendering->image;
   }
-  auto file = OutputFile::create(save.path);
-  if (!file) return tl::unexpected(std::move(file.error()));
-  VORPIPE_TRY((*format)->write(*file, output));
-  return file->commit();
+  return writeFile(save.path, [&](OutputFile& file) { return (*format)->write(file, output); });
 }
 
 }  // namespace vorpipe::view

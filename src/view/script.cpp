@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
 #include <span>
 #include <utility>
 
@@ -12,193 +13,223 @@
 #include "io/base/input_file.h"
 #include "io/base/number.h"
 #include "io/base/quoted.h"
-#include "view/words.h"
 #include "vorpipe/picture.h"
 
 namespace vorpipe::view {
 namespace {
 
-template <class T>
-using Read = tl::expected<T, WordProblem>;
+struct Word {
+  std::string text;
+  std::size_t column = 1;  ///< column of its first byte, from 1
+};
 
-tl::unexpected<WordProblem> wrong(std::size_t column, std::string what) {
-  return tl::unexpected(WordProblem{column, std::move(what)});
+struct WordProblem {
+  std::size_t column = 1;
+  std::string what;
+};
+
+constexpr std::string_view blanks = " \t\r";
+
+/// Splits a line into words at blanks. A word in double quotes may contain blanks; in it \" is a quote, and
+/// \\ a backslash. A word that begins with # ends the line.
+tl::expected<std::vector<Word>, WordProblem> wordsOf(std::string_view line) {
+  std::vector<Word> words;
+  std::size_t at = 0;
+  while ((at = line.find_first_not_of(blanks, at)) != std::string_view::npos && line[at] != '#') {
+    Word word{{}, at + 1};
+    if (line[at] != '"') {
+      const std::size_t end = std::min(line.find_first_of(blanks, at), line.size());
+      word.text = line.substr(at, end - at);
+      at = end;
+    } else {
+      for (++at; at < line.size() && line[at] != '"'; ++at) {
+        const bool escaped = line[at] == '\\' && at + 1 < line.size();
+        word.text += line[escaped ? ++at : at];
+      }
+      if (at == line.size()) return tl::unexpected(WordProblem{word.column, "the quote does not end"});
+      ++at;
+    }
+    words.push_back(std::move(word));
+  }
+  return words;
 }
 
-/// Reads the words after the first, one by one.
-class Rest {
- public:
-  explicit Rest(std::span<const Word> words) : words_(words) {}
+std::vector<std::string> allKeyNames() {
+  std::vector<std::string> names = {
+      "escape",    "tab",        "space",      "enter",      "backspace",  "insert",      "delete",
+      "home",      "end",        "left",       "right",      "up",         "down",        "pageup",
+      "pagedown",  "print",      "menu",       "plus",       "minus",      "asterisk",    "slash",
+      "question",  "equal",      "comma",      "period",     "colon",      "semicolon",   "apostrophe",
+      "quotedbl",  "grave",      "exclam",     "numbersign", "dollar",     "percent",     "ampersand",
+      "parenleft", "parenright", "less",       "greater",    "at",         "bracketleft", "bracketright",
+      "backslash", "circumflex", "underscore", "braceleft",  "braceright", "bar",         "tilde"};
+  for (char letter = 'a'; letter <= 'z'; ++letter) names.emplace_back(1, letter);
+  for (char digit = '0'; digit <= '9'; ++digit) names.emplace_back(1, digit);
+  constexpr int function_keys = 12;
+  for (int number = 1; number <= function_keys; ++number) names.push_back("f" + std::to_string(number));
+  return names;
+}
 
+constexpr std::array<std::string_view, 3> button_names = {"left", "right", "middle"};
+
+/// Reads the words of a line after the first. After a problem, of which the first counts, values mean
+/// nothing.
+class LineReader {
+ public:
+  explicit LineReader(std::span<const Word> words) : words_(words) {}
+
+  [[nodiscard]] const std::optional<WordProblem>& problem() const { return problem_; }
   [[nodiscard]] bool empty() const { return next_ == words_.size(); }
-  [[nodiscard]] const Word& front() const { return words_[next_]; }
-  void drop() { ++next_; }
-  /// Returns the column of a missing word: the end of the line.
-  [[nodiscard]] std::size_t end() const { return words_.back().column + words_.back().text.size(); }
+  /// Whether the next word is `text`; takes it if so.
+  bool takes(std::string_view text) {
+    const bool same = !empty() && words_[next_].text == text;
+    if (same) ++next_;
+    return same;
+  }
 
   /// Returns the next word; `what` names it in errors, e.g. "X".
-  Read<Word> word(std::string_view what) {
-    if (empty()) return wrong(end(), fmt::format("{} is missing after {}", what, words_[0].text));
-    return words_[next_++];
+  std::string word(std::string_view what) {
+    if (!empty()) return words_[next_++].text;
+    const Word& last = words_.back();
+    fail(last.column + last.text.size(), fmt::format("{} is missing after {}", what, words_[0].text));
+    return {};
   }
 
-  Read<double> number(std::string_view what) {
-    const auto text = word(what);
-    if (!text) return tl::unexpected(text.error());
-    const auto value = parseNumber(text->text);
-    if (!value) return wrong(text->column, fmt::format("{}: {}", what, value.error()));
-    return *value;
+  double number(std::string_view what) {
+    const std::string text = word(what);
+    const auto value = parseNumber(text);
+    if (!value) fail(fmt::format("{}: {}", what, value.error()));
+    return value.value_or(0);
   }
 
-  Read<int> side(std::string_view what) {
-    const std::size_t column = empty() ? end() : front().column;
-    const auto value = number(what);
-    if (!value) return tl::unexpected(value.error());
-    if (*value >= 1 && *value <= largest_side && *value == std::floor(*value))
-      return static_cast<int>(*value);
-    return wrong(column,
-                 fmt::format("{}: {} is not a whole number from 1 to {}", what, *value, largest_side));
+  int side(std::string_view what) {
+    const double value = number(what);
+    if (value >= 1 && value <= largest_side && value == std::floor(value)) return static_cast<int>(value);
+    fail(fmt::format("{}: {} is not a whole number from 1 to {}", what, value, largest_side));
+    return 0;
+  }
+
+  double seconds() {
+    const double value = number("SECONDS");
+    constexpr double longest = 86400;
+    if (!(value > 0 && value <= longest)) {
+      fail(fmt::format("SECONDS: {} is not above 0 and up to {}", value, longest));
+    }
+    return value;
+  }
+
+  Button button() {
+    const std::string name = word("a button");
+    const auto* const found = std::ranges::find(button_names, name);
+    if (found == button_names.end()) fail(fmt::format("{} is not left, right or middle", inQuotes(name)));
+    return static_cast<Button>(found - button_names.begin());
+  }
+
+  std::string key() {
+    std::string name = word("a key");
+    if (std::ranges::find(keyNames(), name) == keyNames().end()) {
+      fail(fmt::format("{} is not a key: a to z, 0 to 9, f1 to f12, escape, tab, space ...", inQuotes(name)));
+    }
+    return name;
   }
 
   /// Reads any of shift, control and alt.
   Modifiers modifiers() {
     Modifiers held;
-    for (; !empty(); ++next_) {
-      const std::string& name = front().text;
-      bool* const which = name == "shift" ? &held.shift : name == "control" ? &held.control : &held.alt;
-      if (which == &held.alt && name != "alt") break;
-      *which = true;
+    for (;;) {
+      if (takes("shift")) {
+        held.shift = true;
+      } else if (takes("control")) {
+        held.control = true;
+      } else if (takes("alt")) {
+        held.alt = true;
+      } else {
+        return held;
+      }
     }
-    return held;
+  }
+
+  std::string picturePath() {
+    std::string path = word("a .png file");
+    if (!path.ends_with(".png")) fail(fmt::format("{} does not end in .png", inQuotes(path)));
+    return path;
+  }
+
+  std::vector<std::string> paths() {
+    std::vector<std::string> all{word("a path")};
+    while (!empty()) all.push_back(word("a path"));
+    return all;
+  }
+
+  void finish() {
+    if (!empty())
+      fail(words_[next_].column, fmt::format("{} is too much here", inQuotes(words_[next_].text)));
   }
 
  private:
+  void fail(std::size_t column, std::string what) {
+    if (!problem_) problem_ = WordProblem{column, std::move(what)};
+  }
+  /// A problem of the last word.
+  void fail(std::string what) { fail(words_[next_ - 1].column, std::move(what)); }
+
   std::span<const Word> words_;
   std::size_t next_ = 1;
+  std::optional<WordProblem> problem_{};
 };
-
-constexpr std::array<std::string_view, 3> button_words = {"left", "right", "middle"};
-
-Read<Button> buttonOf(Rest& rest) {
-  const auto word = rest.word("a button");
-  if (!word) return tl::unexpected(word.error());
-  const auto* const found = std::ranges::find(button_words, word->text);
-  if (found == button_words.end()) {
-    return wrong(word->column, fmt::format("{} is not left, right or middle", inQuotes(word->text)));
-  }
-  return static_cast<Button>(found - button_words.begin());
-}
-
-Read<Event> moveOf(Rest& rest) {
-  const auto x = rest.number("X");
-  if (!x) return tl::unexpected(x.error());
-  const auto y = rest.number("Y");
-  if (!y) return tl::unexpected(y.error());
-  return Move{{*x, *y}};
-}
-
-Read<Event> pressOf(Rest& rest) {
-  const auto button = buttonOf(rest);
-  if (!button) return tl::unexpected(button.error());
-  return Press{*button, rest.modifiers()};
-}
-
-Read<Event> releaseOf(Rest& rest) {
-  return buttonOf(rest).map([](Button button) -> Event { return Release{button}; });
-}
-
-Read<Event> scrollOf(Rest& rest) {
-  const auto by = rest.number("STEPS");
-  if (!by) return tl::unexpected(by.error());
-  return Scroll{*by, rest.modifiers()};
-}
-
-Read<Event> keyOf(Rest& rest) {
-  const auto name = rest.word("a key");
-  if (!name) return tl::unexpected(name.error());
-  if (std::ranges::find(keyNames(), name->text) == keyNames().end()) {
-    return wrong(name->column,
-                 fmt::format("{} is not a key: a to z, 0 to 9, f1 to f12, escape, tab, space ...",
-                             inQuotes(name->text)));
-  }
-  return Key{name->text, rest.modifiers()};
-}
-
-Read<Event> resizeOf(Rest& rest) {
-  const auto width = rest.side("WIDTH");
-  if (!width) return tl::unexpected(width.error());
-  const auto height = rest.side("HEIGHT");
-  if (!height) return tl::unexpected(height.error());
-  return Resize{*width, *height};
-}
-
-Read<Event> dropOf(Rest& rest) {
-  Drop drop;
-  do {
-    const auto path = rest.word("a path");
-    if (!path) return tl::unexpected(path.error());
-    drop.paths.push_back(path->text);
-  } while (!rest.empty());
-  return drop;
-}
-
-Read<Event> waitOf(Rest& rest) {
-  if (rest.empty()) return Wait{};
-  const std::size_t column = rest.front().column;
-  const auto seconds = rest.number("SECONDS");
-  if (!seconds) return tl::unexpected(seconds.error());
-  constexpr double longest = 86400;
-  if (*seconds > 0 && *seconds <= longest) return Wait{*seconds};
-  return wrong(column, fmt::format("SECONDS: {} is not above 0 and up to {}", *seconds, longest));
-}
-
-Read<Event> screenshotOf(Rest& rest) {
-  const auto path = rest.word("a .png file");
-  if (!path) return tl::unexpected(path.error());
-  if (!path->text.ends_with(".png")) {
-    return wrong(path->column, fmt::format("{} does not end in .png", inQuotes(path->text)));
-  }
-  const bool panel = !rest.empty() && rest.front().text == "panel";
-  if (panel) rest.drop();
-  return Screenshot{path->text, panel};
-}
-
-template <class Simple>
-Read<Event> simpleOf(Rest& /*rest*/) {
-  return Simple{};
-}
 
 struct Verb {
   std::string_view name;
-  Read<Event> (*read)(Rest& rest);
+  Event (*read)(LineReader& line);
 };
 
-constexpr std::array<Verb, 12> verbs = {{{"move", moveOf},
-                                         {"press", pressOf},
-                                         {"release", releaseOf},
-                                         {"scroll", scrollOf},
-                                         {"key", keyOf},
-                                         {"resize", resizeOf},
-                                         {"minimize", simpleOf<Minimize>},
-                                         {"restore", simpleOf<Restore>},
-                                         {"drop", dropOf},
-                                         {"wait", waitOf},
-                                         {"screenshot", screenshotOf},
-                                         {"close", simpleOf<Close>}}};
+// The members of an initializer list are read in order.
+constexpr auto verbs = std::to_array<Verb>({
+    {"move",
+     [](LineReader& line) -> Event {
+       return Move{{line.number("X"), line.number("Y")}};
+     }},
+    {"press",
+     [](LineReader& line) -> Event {
+       return Press{line.button(), line.modifiers()};
+     }},
+    {"release", [](LineReader& line) -> Event { return Release{line.button()}; }},
+    {"scroll",
+     [](LineReader& line) -> Event {
+       return Scroll{line.number("STEPS"), line.modifiers()};
+     }},
+    {"key",
+     [](LineReader& line) -> Event {
+       return Key{line.key(), line.modifiers()};
+     }},
+    {"resize",
+     [](LineReader& line) -> Event {
+       return Resize{line.side("WIDTH"), line.side("HEIGHT")};
+     }},
+    {"minimize", [](LineReader&) -> Event { return Minimize{}; }},
+    {"restore", [](LineReader&) -> Event { return Restore{}; }},
+    {"drop", [](LineReader& line) -> Event { return Drop{line.paths()}; }},
+    {"wait", [](LineReader& line) -> Event { return line.empty() ? Wait{} : Wait{line.seconds()}; }},
+    {"screenshot",
+     [](LineReader& line) -> Event {
+       return Screenshot{line.picturePath(), line.takes("panel")};
+     }},
+    {"close", [](LineReader&) -> Event { return Close{}; }},
+});
 
-Read<Event> eventOf(std::span<const Word> words) {
+tl::expected<Event, WordProblem> eventOf(std::span<const Word> words) {
   const Word& first = words[0];
   const auto* const verb = std::ranges::find(verbs, first.text, &Verb::name);
   if (verb == verbs.end()) {
-    return wrong(first.column, fmt::format("{} is no event: move, press, release, scroll, key, text, resize, "
-                                           "minimize, restore, drop, wait, screenshot or close",
-                                           inQuotes(first.text)));
+    return tl::unexpected(WordProblem{
+        first.column, fmt::format("{} is no event: move, press, release, scroll, key, text, resize, "
+                                  "minimize, restore, drop, wait, screenshot or close",
+                                  inQuotes(first.text))});
   }
-  Rest rest(words);
-  auto event = verb->read(rest);
-  if (event && !rest.empty()) {
-    return wrong(rest.front().column, fmt::format("{} is too much here", inQuotes(rest.front().text)));
-  }
+  LineReader line(words);
+  Event event = verb->read(line);
+  line.finish();
+  if (line.problem()) return tl::unexpected(*line.problem());
   return event;
 }
 
@@ -206,6 +237,11 @@ Read<Event> eventOf(std::span<const Word> words) {
 constexpr std::string_view text_verb = "text ";
 
 }  // namespace
+
+const std::vector<std::string>& keyNames() {
+  static const std::vector<std::string> names = allKeyNames();
+  return names;
+}
 
 Result<Script> readScript(const std::string& path) {
   auto file = InputFile::open(path);
@@ -231,7 +267,7 @@ Result<Script> parseScript(const std::string& name, std::string_view text) {
     }
     const auto words = wordsOf(line);
     if (words && words->empty()) continue;
-    auto event = words ? eventOf(*words) : Read<Event>(tl::unexpected(words.error()));
+    auto event = words ? eventOf(*words) : tl::expected<Event, WordProblem>(tl::unexpected(words.error()));
     if (!event) {
       return inputError(fmt::format("{}:{}:{}: {}", name, number, event.error().column, event.error().what));
     }

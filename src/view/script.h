@@ -28,10 +28,6 @@ const std::vector<std::string>& keyNames();
 /// failed (device).
 Result<Script> readScript(const std::string& path);
 
-/// The same for a text.
 Result<Script> parseScript(const std::string& name, std::string_view text);
-
-/// Returns the script line for an event.
-std::string scriptLine(const Event& event);
 
 }  // namespace vorpipe::view

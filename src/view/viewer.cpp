@@ -4,31 +4,31 @@
 #include <utility>
 
 #include "view/keys.h"
-#include "view/same_settings.h"
+#include "view/settings.h"
 #include "vorpipe/legend.h"
 
 namespace vorpipe::view {
 namespace {
 
 /// Distance in pixels within which the pointer grabs the line between two pictures.
-constexpr double wipe_reach = 5;
+constexpr double split_reach = 5;
 
 }  // namespace
 
 Viewer::Viewer(ViewerOptions options, int width, int height, std::function<void()> wake)
-    : given_(std::move(options)),
-      document_(std::move(given_.opened)),
-      settings_(std::move(given_.settings)),
-      density_(std::move(given_.density)),
+    : options_(std::move(options)),
+      document_(std::move(options_.opened)),
+      settings_(std::move(options_.settings)),
+      density_(std::move(options_.density)),
       camera_(document_.opened().domain, width, height),
-      frames_(std::move(wake), given_.load) {
+      frames_(std::move(wake), options_.load) {
   if (document_.fluid() && settings_.motion == Motion::rests) message_ = how_to_flow;
 }
 
 void Viewer::want(Changed changed) {
   if (changed == Changed::nothing) return;
-  const bool goes_on = changed == Changed::view || changed == Changed::drag;
-  wanted_ = std::max(wanted_, goes_on ? Wanted::same_gesture : Wanted::other);
+  const bool continues = changed == Changed::view || changed == Changed::drag;
+  wanted_ = std::max(wanted_, continues ? Wanted::same_gesture : Wanted::other);
 }
 
 void Viewer::take(const Event& event) {
@@ -52,10 +52,10 @@ void Viewer::take(const Event& event) {
     return;
   }
   if (std::holds_alternative<Close>(event)) closes_ = true;
-  const bool wipes = settings_.compared && wipe_.take(event, pointer_.place(), camera_.width(),
-                                                      wipe_reach * scale_, settings_.wipe);
-  if (wipes && !std::holds_alternative<Move>(event)) return;
-  const std::uint32_t owner = pointer_.place() ? ownerAt(*pointer_.place()) : no_site;
+  const bool moves_split = settings_.compared && split_view_.take(event, pointer_.position(), camera_.width(),
+                                                                  split_reach * scale_, settings_.split);
+  if (moves_split && !std::holds_alternative<Move>(event)) return;
+  const std::uint32_t owner = pointer_.position() ? ownerAt(*pointer_.position()) : no_site;
   changed(pointer_.take(event, document_, camera_, owner));
 }
 
@@ -116,20 +116,23 @@ void Viewer::change(const Settings& settings) {
   // This runs every frame: sites already at rest must not end a drag or turns of the wheel.
   const bool pauses = settings.motion == Motion::rests && settings_.motion != Motion::rests;
   if (pauses) document_.settle();
-  if (!settings.compared) wipe_.release();
+  if (!settings.compared) split_view_.release();
   if (settings.density_path.empty()) density_.reset();
   if (moves_otherwise || !drawTheSame(settings, settings_)) want(Changed::sites);
   settings_ = settings;
 }
 
-std::vector<std::string> Viewer::backendsThatWork() const {
+/// Returns the backend after the present one among those that work here; empty if unknown.
+std::string Viewer::backendAfter() const {
   std::vector<std::string> names;
   for (const DeviceInfo& device : devices_) {
     if (device.usable && std::ranges::find(names, device.backend) == names.end()) {
       names.push_back(device.backend);
     }
   }
-  return names;
+  if (names.empty() || !device_) return {};
+  const auto now = std::ranges::find(names, device_->backend);
+  return now == names.end() || now + 1 == names.end() ? names.front() : *(now + 1);
 }
 
 /// Compares with the next backend that works here, or ends the comparison.
@@ -137,22 +140,18 @@ void Viewer::compare() {
   Settings changed = settings_;
   if (changed.compared) {
     changed.compared.reset();
-    return change(changed);
+  } else {
+    const std::string name = backendAfter();
+    if (name.empty()) return;
+    changed.compared = comparedWith(settings_.backend, name, "");
   }
-  const auto names = backendsThatWork();
-  if (names.empty() || !device_) return;
-  const auto now = std::ranges::find(names, device_->backend);
-  const bool last = now == names.end() || now + 1 == names.end();
-  changed.compared = comparedWith(settings_.backend, last ? names.front() : *(now + 1), "");
   change(changed);
 }
 
 void Viewer::nextBackend() {
-  const auto names = backendsThatWork();
-  if (names.empty() || !device_) return;
-  const auto now = std::ranges::find(names, device_->backend);
-  const bool last = now == names.end() || now + 1 == names.end();
-  settings_.backend.name = last ? names.front() : *(now + 1);
+  const std::string name = backendAfter();
+  if (name.empty()) return;
+  settings_.backend.name = name;
   settings_.backend.device.clear();
   want(Changed::sites);
 }
@@ -195,9 +194,9 @@ RenderOptions Viewer::picture() const {
   return options;
 }
 
-void Viewer::wish() {
-  putSideBySide();
-  const bool in_flight = answered_ < wished_;
+void Viewer::request() {
+  joinPictures();
+  const bool in_flight = completed_ < requested_;
   const bool moves = (settings_.motion != Motion::rests || !strokes_.empty()) && !in_flight;
   if (minimized_ || closes_ || (wanted_ == Wanted::nothing && !moves)) return;
   if (settings_.picture.color == ColorBy::weight && document_.sites()->weight.empty()) {
@@ -206,24 +205,24 @@ void Viewer::wish() {
     message_ = "The sites have no weights to color by; Ctrl+Wheel over a cell changes its weight.";
   }
   if (std::exchange(wanted_, Wanted::nothing) == Wanted::other) ++gesture_;
-  Wish wish{++wished_, gesture_, document_.sites(), picture(), settings_.backend};
+  FrameRequest request{++requested_, gesture_, document_.sites(), picture(), settings_.backend};
   // Without a GPU `auto` resolves to cpu, which is slow if cells have weights (decision D133).
   const bool weighs = document_.fluid() || !document_.sites()->weight.empty();
-  if (settings_.backend.name == "auto" && weighs) wish.not_cpu = given_.shown_by;
-  wish.compared = settings_.compared;
-  wish.motion = pointer_.holdsSite() ? Motion::rests : settings_.motion;
-  wish.method = settings_.method;
-  wish.density = density_;
-  wish.fluid = document_.fluid();
-  wish.flow_color = settings_.flow_color;
-  wish.strokes = strokes_;
-  wished_settings_ = settings_;
-  frames_.wish(std::move(wish));
+  if (settings_.backend.name == "auto" && weighs) request.not_cpu = options_.shown_by;
+  request.compared = settings_.compared;
+  request.motion = pointer_.holdsSite() ? Motion::rests : settings_.motion;
+  request.method = settings_.method;
+  request.density = density_;
+  request.fluid = document_.fluid();
+  request.flow_color = settings_.flow_color;
+  request.strokes = strokes_;
+  requested_settings_ = settings_;
+  frames_.request(std::move(request));
 }
 
-bool Viewer::isSettled(std::uint64_t wish) const {
+bool Viewer::isSettled(std::uint64_t request) const {
   if (minimized_) return files_ == 0;
-  const bool is_drawn = answered_ >= (settings_.motion == Motion::runs ? wish : wished_);
+  const bool is_drawn = completed_ >= (settings_.motion == Motion::runs ? request : requested_);
   return is_drawn && wanted_ == Wanted::nothing && files_ == 0 && to_save_.empty() &&
          settings_.motion != Motion::steps_once && (strokes_.empty() || settings_.motion == Motion::runs);
 }

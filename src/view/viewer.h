@@ -17,7 +17,6 @@
 #include "view/panel.h"
 #include "view/pointer.h"
 #include "view/settings.h"
-#include "view/wipe.h"
 
 namespace vorpipe::view {
 
@@ -39,32 +38,29 @@ struct ViewerOptions {
 
 class Viewer {
  public:
-  /// `wake` is called, from any thread, when there are answers to take.
+  /// `wake` is called, from any thread, when there are results to take.
   Viewer(ViewerOptions options, int width, int height, std::function<void()> wake);
 
   /// Handles an event that the panel did not consume. For Resize, Minimize and Restore see resize().
   void take(const Event& event);
   void act(Action action);
-  /// Sets the settings as the panel has changed them.
   void change(const Settings& settings);
   /// Replaces the contents by a fluid of the command line's cases; that can be undone.
   void beginFluid(FluidCase which);
-  /// Continues the fluid with other options.
   void flowBy(const FluidOptions& options);
   void resize(int width, int height);
   /// Sets how many pixels at the window's left and right edges the panel covers.
   void setCovered(double left, double right);
-  /// Sets the scale of letters and of the pointer's reach.
   void setScale(double scale);
   /// Draws the same again, or takes the next step.
   void drawAgain();
 
-  /// Issues a wish for what has changed since the last call. Call once after a batch of events.
-  void wish();
+  /// Issues a request for what has changed since the last call. Call once after a batch of events.
+  void request();
   /// Takes pictures and all other results; returns whether there were any.
-  bool takeAnswers();
+  bool takeResults();
 
-  /// What to show now; valid until takeAnswers().
+  /// What to show now; valid until takeResults().
   [[nodiscard]] Shown shown() const;
   /// The last sharp picture, with its ids; null before the first.
   [[nodiscard]] const Frame* frame() const { return frame_ ? &*frame_ : nullptr; }
@@ -74,13 +70,12 @@ class Viewer {
   [[nodiscard]] const Document& document() const { return document_; }
   [[nodiscard]] const Settings& settings() const { return settings_; }
 
-  /// The numbers of the last wish and of the last answered wish.
-  [[nodiscard]] std::uint64_t wished() const { return wished_; }
-  [[nodiscard]] std::uint64_t answered() const { return answered_; }
-  /// Whether the shown picture is sharp and includes all events, up to wish `wish` if sites relax, and all
-  /// requested files are read and written. While the window is minimized, nothing is drawn.
-  [[nodiscard]] bool isSettled(std::uint64_t wish) const;
-  /// Sharp pictures so far.
+  /// The numbers of the last request and of the last completed request.
+  [[nodiscard]] std::uint64_t requested() const { return requested_; }
+  [[nodiscard]] std::uint64_t completed() const { return completed_; }
+  /// Whether the shown picture is sharp and includes all events, up to request `request` if sites relax, and
+  /// all requested files are read and written. While the window is minimized, nothing is drawn.
+  [[nodiscard]] bool isSettled(std::uint64_t request) const;
   [[nodiscard]] std::uint64_t pictures() const { return pictures_; }
 
   [[nodiscard]] bool closes() const { return closes_; }
@@ -94,30 +89,29 @@ class Viewer {
   void want(Changed changed);
   [[nodiscard]] RenderOptions picture() const;
   [[nodiscard]] BackendOptions drawnBy() const;
-  void accept(Answer& answer);
+  void accept(RenderResult& result);
   void accept(Frame& frame);
   bool acceptFluid(const Frame& frame);
   void changed(Changed by);
   void stir();
   void beginAgain();
-  void putAnother(Opened opened);
+  void replaceContents(Opened opened);
   [[nodiscard]] std::optional<FluidShown> fluidShown() const;
   void compare();
-  void putSideBySide();
-  void refuse(const Answer& answer);
+  void joinPictures();
+  void handleError(const RenderResult& result);
   void open(Loaded loaded, const std::string& path);
   void undoOrRedo(Action action);
-  [[nodiscard]] std::vector<std::string> backendsThatWork() const;
+  [[nodiscard]] std::string backendAfter() const;
   void nextBackend();
   void save(const char* extension);
-  void saveWhatIsSettled();
+  void saveSettled();
   void copyCommand();
-  void copyFluidCommand();
-  void tellCommand();
-  [[nodiscard]] std::uint32_t ownerAt(Place place) const;
+  void publishCommand();
+  [[nodiscard]] std::uint32_t ownerAt(Position position) const;
   [[nodiscard]] std::optional<Hovered> hovered() const;
 
-  ViewerOptions given_;
+  ViewerOptions options_;
   Document document_;
   Settings settings_;
   std::shared_ptr<const Density> density_;
@@ -127,13 +121,13 @@ class Viewer {
   bool minimized_ = false;
 
   Wanted wanted_ = Wanted::other;
-  std::uint64_t wished_ = 0, gesture_ = 0, answered_ = 0, pictures_ = 0;
+  std::uint64_t requested_ = 0, gesture_ = 0, completed_ = 0, pictures_ = 0;
   std::uint64_t shown_version_ = 0;
   std::optional<Frame> frame_{}, preview_{};  ///< the preview only until the sharp picture exists
-  Wipe wipe_{};
-  const Image* put_ = nullptr;  ///< two compared pictures joined into one
-  int put_column_ = 0;
-  std::uint64_t put_version_ = 0;
+  SplitView split_view_{};
+  const Image* joined_ = nullptr;  ///< two compared pictures joined into one
+  int joined_column_ = 0;
+  std::uint64_t joined_version_ = 0;
   std::shared_ptr<const Measures> measures_{};
   std::optional<RelaxStep> step_{};
   std::vector<float> history_{};
@@ -142,7 +136,7 @@ class Viewer {
   std::deque<Stopwatch> steps_{};  ///< running since each of the fluid's last steps
   std::vector<DeviceInfo> devices_{};
   std::optional<DeviceInfo> device_{};
-  Settings wished_settings_{}, drawn_settings_{};  ///< of the last wish, and of the last drawn wish
+  Settings requested_settings_{}, drawn_settings_{};  ///< of the last request, and of the last drawn request
 
   std::vector<std::string> to_save_{};  ///< once the picture is settled
   std::string command_sites_{};         ///< the written file of `command_revision_`

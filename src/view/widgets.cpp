@@ -1,11 +1,11 @@
 #include "view/widgets.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <utility>
 
 #include <fmt/format.h>
-
-#include "view/style.h"
 
 namespace vorpipe::view {
 namespace {
@@ -18,12 +18,63 @@ Placement placementOf(ImVec2 from, ImVec2 to) {
 
 const char* endOf(std::string_view text) { return text.data() + text.size(); }
 
+void setColors(ImGuiStyle& style) {
+  constexpr auto colors = std::to_array<std::pair<ImGuiCol, ImU32>>({
+      {ImGuiCol_Text, look::text},
+      {ImGuiCol_TextDisabled, look::dim},
+      {ImGuiCol_WindowBg, look::surface},
+      {ImGuiCol_PopupBg, IM_COL32(38, 42, 49, 252)},
+      {ImGuiCol_Border, look::line},
+      {ImGuiCol_FrameBg, look::field},
+      {ImGuiCol_FrameBgHovered, look::field_hovered},
+      {ImGuiCol_FrameBgActive, look::field_hovered},
+      {ImGuiCol_Button, look::field},
+      {ImGuiCol_ButtonHovered, look::field_hovered},
+      {ImGuiCol_ButtonActive, look::field_hovered},
+      {ImGuiCol_SliderGrab, look::accent},
+      {ImGuiCol_SliderGrabActive, look::accent_hovered},
+      {ImGuiCol_Header, IM_COL32(46, 51, 60, 255)},
+      {ImGuiCol_HeaderHovered, look::field_hovered},
+      {ImGuiCol_HeaderActive, look::field_hovered},
+      {ImGuiCol_Separator, look::line},
+      {ImGuiCol_ScrollbarBg, IM_COL32(0, 0, 0, 0)},
+      {ImGuiCol_ScrollbarGrab, IM_COL32(72, 78, 90, 255)},
+      {ImGuiCol_ScrollbarGrabHovered, IM_COL32(90, 97, 110, 255)},
+      {ImGuiCol_ScrollbarGrabActive, look::accent},
+      {ImGuiCol_TextSelectedBg, IM_COL32(74, 144, 217, 110)},
+  });
+  for (const auto& [which, color] : colors) style.Colors[which] = ImGui::ColorConvertU32ToFloat4(color);
+}
+
 }  // namespace
+
+void setStyle(double scale) {
+  ImGuiStyle style;
+  setColors(style);
+  style.WindowPadding = {12, 10};
+  style.FramePadding = {7, 3};
+  style.ItemSpacing = {6, 4};
+  style.ItemInnerSpacing = {5, 4};
+  style.WindowRounding = 8;
+  style.PopupRounding = 6;
+  style.FrameRounding = 4;
+  style.GrabRounding = 3;
+  style.GrabMinSize = 10;
+  style.ScrollbarSize = 9;
+  style.ScrollbarRounding = 4;
+  style.WindowBorderSize = 1;
+  style.PopupBorderSize = 1;
+  style.DisabledAlpha = 0.45F;
+  style.WindowMinSize = {16, 16};
+  style.ScaleAllSizes(static_cast<float>(scale));
+  ImGui::GetStyle() = style;
+}
 
 float Widgets::px(float units) const { return std::round(units * scale_); }
 
 void Widgets::note(std::string_view name) {
-  places.insert_or_assign(std::string(name), placementOf(ImGui::GetItemRectMin(), ImGui::GetItemRectMax()));
+  placements.insert_or_assign(std::string(name),
+                              placementOf(ImGui::GetItemRectMin(), ImGui::GetItemRectMax()));
 }
 
 void Widgets::cover() {
@@ -61,9 +112,7 @@ bool Widgets::group(const char* name, std::string_view summary) {
 
 void Widgets::row(const char* label) {
   ImGui::AlignTextToFramePadding();
-  ImGui::PushStyleColor(ImGuiCol_Text, look::dim);
-  ImGui::TextUnformatted(label);
-  ImGui::PopStyleColor();
+  dim(label);
   ImGui::SameLine(ImGui::GetStyle().WindowPadding.x + px(label_column));
 }
 
@@ -87,6 +136,14 @@ void Widgets::dim(std::string_view text) {
   ImGui::PushStyleColor(ImGuiCol_Text, look::dim);
   ImGui::TextUnformatted(text.data(), endOf(text));
   ImGui::PopStyleColor();
+}
+
+ImVec2 Widgets::chart(float width, float height) {
+  const ImVec2 at = ImGui::GetCursorScreenPos();
+  ImGui::Dummy({width, height});
+  ImGui::GetWindowDrawList()->AddRectFilled(at, {at.x + width, at.y + height}, IM_COL32(22, 24, 29, 255),
+                                            ImGui::GetStyle().FrameRounding);
+  return at;
 }
 
 void Widgets::tooltip(std::string_view text) const {
@@ -123,8 +180,7 @@ bool Widgets::pressable(std::string_view name, const char* label, ImVec2 size, b
 }
 
 bool Widgets::button(std::string_view name, const char* label, float width, bool enabled) {
-  return pressable(name, label, {width, ImGui::GetFrameHeight()}, false, enabled,
-                   ImDrawFlags_RoundCornersAll);
+  return chip(name, label, width, false, enabled);
 }
 
 bool Widgets::chip(std::string_view name, const char* label, float width, bool on, bool enabled) {
@@ -164,33 +220,25 @@ int Widgets::choice(std::string_view name, std::span<const std::string> labels, 
   return chosen;
 }
 
-bool Widgets::slider(std::string_view name, double& value, double least, double most, const char* format,
-                     bool enabled) {
-  ImGui::BeginDisabled(!enabled);
+bool Widgets::slider(const char* label, std::string_view name, double& value, double least, double most,
+                     const char* format) {
+  row(label);
   ImGui::SetNextItemWidth(ImGui::GetContentRegionAvail().x);
   const std::string id = fmt::format("##{}", name);
   const bool changed = ImGui::SliderScalar(id.c_str(), ImGuiDataType_Double, &value, &least, &most, format,
                                            ImGuiSliderFlags_AlwaysClamp);
-  ImGui::EndDisabled();
   note(name);
   return changed;
 }
 
-bool Widgets::beginList(std::string_view name, const char* preview, bool enabled) {
+bool Widgets::beginList(std::string_view name, const char* preview) {
   ImGui::SetNextItemWidth(ImGui::GetContentRegionAvail().x);
   const ImVec2 from = ImGui::GetCursorScreenPos();
   const float width = ImGui::CalcItemWidth();
-  places.insert_or_assign(std::string(name),
-                          placementOf(from, {from.x + width, from.y + ImGui::GetFrameHeight()}));
-  const std::string id = fmt::format("##{}", name);
-  if (!enabled) {
-    ImGui::BeginDisabled();
-    if (ImGui::BeginCombo(id.c_str(), preview)) ImGui::EndCombo();
-    ImGui::EndDisabled();
+  placements.insert_or_assign(std::string(name),
+                              placementOf(from, {from.x + width, from.y + ImGui::GetFrameHeight()}));
+  if (!ImGui::BeginCombo(fmt::format("##{}", name).c_str(), preview, ImGuiComboFlags_HeightLarge))
     return false;
-  }
-  const bool open = ImGui::BeginCombo(id.c_str(), preview, ImGuiComboFlags_HeightLarge);
-  if (!open) return false;
   cover();
   if (closes_list) ImGui::CloseCurrentPopup();
   return true;

@@ -14,6 +14,7 @@
 #include "io/sites/site_domain.h"
 #include "session.h"
 #include "target.h"
+#include "unit/fixtures/script_line.h"
 #include "view/script.h"
 #include "vorpipe/fluid.h"
 

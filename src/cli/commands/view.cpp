@@ -27,7 +27,7 @@
 #include "io/base/read_log.h"
 #include "io/sites/density_file.h"
 #include "view/app.h"
-#include "view/window_screen.h"
+#include "view/window/window.h"
 
 namespace vorpipe::cli {
 namespace {
@@ -207,7 +207,7 @@ Result<ExitCode> runView(const ViewCommand& command) {
   endOnLostDisplay(exit_device);
   auto window = openWindow(command, options->viewer.shown_by);
   if (!window) return tl::unexpected(std::move(window.error()));
-  view::WindowScreen screen(std::move(*window));
+  view::Screen& screen = *window;
   const std::string& name = isFluid(command) ? options->viewer.opened.fluid_name : command.input.sites;
   screen.setTitle(name.empty() ? "vorpipe" : fmt::format("{} - vorpipe", name));
   options->viewer.copy = [&screen](const std::string& text) { screen.copyToClipboard(text); };

@@ -9,10 +9,10 @@
 
 namespace vorpipe::view {
 
-/// A place in a window, in pixels of the framebuffer from the left and the top.
-struct Place {
+/// A position in a window, in pixels of the framebuffer from the left and the top.
+struct Position {
   double x = 0, y = 0;
-  friend bool operator==(const Place&, const Place&) = default;
+  friend bool operator==(const Position&, const Position&) = default;
 };
 
 enum class Button : std::uint8_t { left, right, middle };
@@ -24,7 +24,7 @@ struct Modifiers {
 };
 
 struct Move {
-  Place to;
+  Position to;
 };
 struct Press {
   Button button = Button::left;

@@ -9,7 +9,6 @@
 
 namespace vorpipe::view {
 
-/// Whether there is a picture to show.
 bool hasPicture(const Shown& frame);
 
 /// Whether the picture fills the window pixel by pixel, so that it can be copied.

@@ -15,7 +15,7 @@
 #include "base/try.h"
 #include "shaders.h"
 #include "view/window/frame_parts.h"
-#include "view/window/presenters.h"
+#include "view/window/window_parts.h"
 
 namespace vorpipe::view {
 namespace {

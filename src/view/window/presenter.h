@@ -13,6 +13,7 @@ namespace vorpipe::view {
 /// A rectangle in pixels from the window's left and top; it may extend beyond the window.
 struct Placement {
   double left = 0, top = 0, width = 0, height = 0;
+  friend bool operator==(const Placement&, const Placement&) = default;
 };
 
 /// A corner of a triangle of the panel.
@@ -20,12 +21,14 @@ struct PanelVertex {
   float x = 0, y = 0;      ///< in pixels of the window
   float u = 0, v = 0;      ///< in the panel's texture, 0 to 1
   std::uint32_t rgba = 0;  ///< R in the lowest byte, straight alpha
+  friend bool operator==(const PanelVertex&, const PanelVertex&) = default;
 };
 
 /// Triangles that are clipped to a rectangle of the window.
 struct PanelPart {
   std::uint32_t first_index = 0, indices = 0;
   std::int32_t left = 0, top = 0, right = 0, bottom = 0;
+  friend bool operator==(const PanelPart&, const PanelPart&) = default;
 };
 
 /// Triangles drawn over the picture, in order; three indices each.
@@ -33,6 +36,7 @@ struct PanelTriangles {
   std::vector<PanelVertex> vertices;
   std::vector<std::uint32_t> indices;
   std::vector<PanelPart> parts;
+  friend bool operator==(const PanelTriangles&, const PanelTriangles&) = default;
 };
 
 /// The panel's font as coverage of each texel, 0 to 255. It contains a texel of 255, for filled areas.

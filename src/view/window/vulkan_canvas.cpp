@@ -86,6 +86,13 @@ void recordTexture(const VolkDeviceTable& api, VkCommandBuffer commands, VkBuffe
 }
 
 template <class T>
+Result<void> store(Result<T> created, T& to) {
+  if (!created) return tl::unexpected(std::move(created).error());
+  to = std::move(*created);
+  return {};
+}
+
+template <class T>
 Result<void> write(const vulkan::Device& device, const std::vector<T>& values, vulkan::Buffer& buffer) {
   const std::size_t bytes = values.size() * sizeof(T);
   VORPIPE_TRY(buffer.reserve(device, bytes, std::numeric_limits<std::size_t>::max()));
@@ -101,18 +108,13 @@ Result<VulkanCanvas> VulkanCanvas::create(const vulkan::Device& device) {
   auto panel = vulkan::Bindings::create(device, bindings, 0);
   if (!panel) return tl::unexpected(std::move(panel).error());
   VulkanCanvas created(std::move(*picture), std::move(*panel));
-  auto pass = vulkan::createRenderPass(device, canvas_formats);
-  if (!pass) return tl::unexpected(std::move(pass).error());
-  created.pass_ = std::move(*pass);
-  auto sampler = createSampler(device);
-  if (!sampler) return tl::unexpected(std::move(sampler).error());
-  created.sampler_ = std::move(*sampler);
+  VORPIPE_TRY(store(vulkan::createRenderPass(device, canvas_formats), created.pass_));
+  VORPIPE_TRY(store(createSampler(device), created.sampler_));
   // Both sets of bindings have the same layout.
-  auto pipeline = vulkan::createTrianglePipeline(
-      device, created.panel_bindings_.layout(), created.pass_.get(),
-      {shaders::panel_vert(), shaders::panel_frag(), vertices, vertex_attributes, over});
-  if (!pipeline) return tl::unexpected(std::move(pipeline).error());
-  created.pipeline_ = std::move(*pipeline);
+  VORPIPE_TRY(store(vulkan::createTrianglePipeline(
+                        device, created.panel_bindings_.layout(), created.pass_.get(),
+                        {shaders::panel_vert(), shaders::panel_frag(), vertices, vertex_attributes, over}),
+                    created.pipeline_));
   return created;
 }
 
@@ -122,9 +124,8 @@ Result<void> VulkanCanvas::setTexture(vulkan::Device& device, const PanelTexture
   constexpr VkComponentMapping white = {VK_COMPONENT_SWIZZLE_ONE, VK_COMPONENT_SWIZZLE_ONE,
                                         VK_COMPONENT_SWIZZLE_ONE, VK_COMPONENT_SWIZZLE_R};
   const VkExtent2D extent = extentOf(texture.width, texture.height);
-  auto plane = vulkan::createPlane(device, {VK_FORMAT_R8_UNORM, texture_usage, white}, extent);
-  if (!plane) return tl::unexpected(std::move(plane).error());
-  panel_texture_ = std::move(*plane);
+  VORPIPE_TRY(
+      store(vulkan::createPlane(device, {VK_FORMAT_R8_UNORM, texture_usage, white}, extent), panel_texture_));
   vulkan::Buffer texels({"the panel's letters", VK_BUFFER_USAGE_TRANSFER_SRC_BIT, vulkan::Placement::upload});
   VORPIPE_TRY(write(device, texture.alpha, texels));
   VORPIPE_TRY(device.run([&](VkCommandBuffer commands) {
@@ -139,9 +140,7 @@ Result<void> VulkanCanvas::resize(const vulkan::Device& device, VkExtent2D exten
   framebuffer_ = {};
   canvas_ = {};
   drawn_ = false;
-  auto plane = vulkan::createPlane(device, {color_format, canvas_usage}, extent);
-  if (!plane) return tl::unexpected(std::move(plane).error());
-  canvas_ = std::move(*plane);
+  VORPIPE_TRY(store(vulkan::createPlane(device, {color_format, canvas_usage}, extent), canvas_));
   extent_ = extent;
   const VkImageView view = canvas_.view.get();
   auto info = structure<VkFramebufferCreateInfo>(VK_STRUCTURE_TYPE_FRAMEBUFFER_CREATE_INFO);
@@ -151,10 +150,9 @@ Result<void> VulkanCanvas::resize(const vulkan::Device& device, VkExtent2D exten
   info.width = extent.width;
   info.height = extent.height;
   info.layers = 1;
-  auto framebuffer = vulkan::create(device.handle(), device.api().vkCreateFramebuffer,
-                                    device.api().vkDestroyFramebuffer, info, "vkCreateFramebuffer");
-  if (!framebuffer) return tl::unexpected(std::move(framebuffer).error());
-  framebuffer_ = std::move(*framebuffer);
+  VORPIPE_TRY(store(vulkan::create(device.handle(), device.api().vkCreateFramebuffer,
+                                   device.api().vkDestroyFramebuffer, info, "vkCreateFramebuffer"),
+                    framebuffer_));
   return {};
 }
 
@@ -173,18 +171,12 @@ Result<void> VulkanCanvas::takePicture(const vulkan::Device& device, const Shown
     return {};
   }
   picture_texture_ = {};
-  auto plane = vulkan::createPlane(device, {color_format, texture_usage}, picture_extent_);
-  if (!plane) return tl::unexpected(std::move(plane).error());
-  picture_texture_ = std::move(*plane);
+  VORPIPE_TRY(
+      store(vulkan::createPlane(device, {color_format, texture_usage}, picture_extent_), picture_texture_));
   texture_extent_ = picture_extent_;
   texture_version_.reset();
   picture_bindings_.setSampled(device, surface_binding, sampler_.get(), picture_texture_.view.get());
   return {};
-}
-
-Result<void> VulkanCanvas::takeTriangles(const vulkan::Device& device) {
-  VORPIPE_TRY(write(device, triangles_.vertices, vertices_));
-  return write(device, triangles_.indices, indices_);
 }
 
 Result<void> VulkanCanvas::prepare(const vulkan::Device& device, const Shown& frame, int width, int height) {
@@ -192,7 +184,8 @@ Result<void> VulkanCanvas::prepare(const vulkan::Device& device, const Shown& fr
   sharp_ = isSharp(frame, width, height);
   if (hasPicture(frame)) VORPIPE_TRY(takePicture(device, frame));
   triangles_ = trianglesOf(frame, width, height);
-  return takeTriangles(device);
+  VORPIPE_TRY(write(device, triangles_.vertices, vertices_));
+  return write(device, triangles_.indices, indices_);
 }
 
 void VulkanCanvas::recordPicture(const VolkDeviceTable& api, VkCommandBuffer commands) const {

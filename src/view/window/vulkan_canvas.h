@@ -30,7 +30,6 @@ class VulkanCanvas {
 
   [[nodiscard]] VkImage image() const { return canvas_.image.get(); }
   [[nodiscard]] VkExtent2D extent() const { return extent_; }
-  /// Returns what was drawn last.
   Result<Image> read(vulkan::Device& device);
 
  private:
@@ -38,7 +37,6 @@ class VulkanCanvas {
       : picture_bindings_(std::move(picture_bindings)), panel_bindings_(std::move(panel_bindings)) {}
   Result<void> resize(const vulkan::Device& device, VkExtent2D extent);
   Result<void> takePicture(const vulkan::Device& device, const Shown& frame);
-  Result<void> takeTriangles(const vulkan::Device& device);
   void recordPicture(const VolkDeviceTable& api, VkCommandBuffer commands) const;
   void recordTriangles(const VolkDeviceTable& api, VkCommandBuffer commands) const;
 
@@ -54,7 +52,7 @@ class VulkanCanvas {
 
   // The picture lies in `pixels_`. If sharp, it is copied from there; else it is drawn from the texture,
   // which is filled when needed.
-  std::optional<std::uint64_t> version_, texture_version_;  ///< of the picture in each place
+  std::optional<std::uint64_t> version_, texture_version_;  ///< of the picture in each
   VkExtent2D picture_extent_{}, texture_extent_{};
   vulkan::Plane picture_texture_;
   bool sharp_ = false, drawn_ = false;

@@ -5,10 +5,9 @@
 #include <utility>
 
 #include "backend/vulkan/error.h"
-#include "view/window/presenters.h"
-#include "view/window/swapchain.h"
 #include "view/window/vulkan_canvas.h"
 #include "view/window/vulkan_window.h"
+#include "view/window/window_parts.h"
 
 namespace vorpipe::view {
 namespace {

@@ -7,9 +7,7 @@
 #include <utility>
 #include <variant>
 
-#include "view/window/glfw.h"
-#include "view/window/input.h"
-#include "view/window/presenters.h"
+#include "view/window/window_parts.h"
 
 namespace vorpipe::view {
 
@@ -25,6 +23,12 @@ struct Window::State {
   ~State() {
     presenter.reset();
     if (window != nullptr) glfw->destroyWindow(window);
+  }
+
+  [[nodiscard]] std::pair<int, int> size() const {
+    int width = 0, height = 0;
+    if (!input.minimized) glfw->getFramebufferSize(window, &width, &height);
+    return {width, height};
   }
 };
 
@@ -120,17 +124,9 @@ void Window::apply(const Event& event) {
   }
 }
 
-int Window::width() const {
-  int width = 0, height = 0;
-  if (!state_->input.minimized) state_->glfw->getFramebufferSize(state_->window, &width, &height);
-  return width;
-}
+int Window::width() const { return state_->size().first; }
 
-int Window::height() const {
-  int width = 0, height = 0;
-  if (!state_->input.minimized) state_->glfw->getFramebufferSize(state_->window, &width, &height);
-  return height;
-}
+int Window::height() const { return state_->size().second; }
 
 double Window::scale() const {
   float x = 1, y = 1;

@@ -114,7 +114,7 @@ class AppTest : public test::InTemporaryDirectory {
     return run(screen, options);
   }
 
-  /// A place of the plane in the window as it is at first, which fits the domain by its height.
+  /// A point of the plane in the window as it is at first, which fits the domain by its height.
   static std::string at(double x, double y) {
     const double side = 300 / 1.04;
     return std::to_string(200 + (x - 0.5) * side) + " " + std::to_string(150 - (y - 0.5) * side);

@@ -36,10 +36,10 @@ class PanelTest : public ::testing::Test {
     draw();
   }
 
-  PanelAnswer draw() {
-    PanelAnswer answer = panel_.draw(input_, triangles_);
+  PanelResult draw() {
+    PanelResult result = panel_.draw(input_, triangles_);
     expectSound();
-    return answer;
+    return result;
   }
 
   /// Indices within vertices, parts within indices and the window, texture coordinates within the texture.
@@ -60,27 +60,27 @@ class PanelTest : public ::testing::Test {
     }
   }
 
-  [[nodiscard]] Place middleOf(const std::string& name) const {
-    const auto found = panel_.places().find(name);
-    EXPECT_NE(found, panel_.places().end()) << name;
-    if (found == panel_.places().end()) return {-1, -1};
+  [[nodiscard]] Position middleOf(const std::string& name) const {
+    const auto found = panel_.placements().find(name);
+    EXPECT_NE(found, panel_.placements().end()) << name;
+    if (found == panel_.placements().end()) return {-1, -1};
     const Placement& at = found->second;
     return {at.left + at.width / 2, at.top + at.height / 2};
   }
 
-  bool take(Place to, bool press) {
+  bool take(Position to, bool press) {
     panel_.take(Move{to});
     return press ? panel_.take(Press{}) : panel_.take(Release{});
   }
 
   /// Presses and lets go in the middle of what has a name; what changes is what the next frame begins with.
-  PanelAnswer click(const std::string& name) {
-    const Place at = middleOf(name);
+  PanelResult click(const std::string& name) {
+    const Position at = middleOf(name);
     EXPECT_TRUE(take(at, true)) << name;
     EXPECT_TRUE(take(at, false)) << name;
-    PanelAnswer answer = draw();
-    input_.settings = answer.settings;
-    return answer;
+    PanelResult result = draw();
+    input_.settings = result.settings;
+    return result;
   }
 
   Panel panel_;

@@ -32,7 +32,7 @@ TEST_F(PanelTest, SwitchesAreSwitched) {
 }
 
 TEST_F(PanelTest, SizesFollowTheirSliders) {
-  EXPECT_FALSE(panel_.places().contains("Edge width"));
+  EXPECT_FALSE(panel_.placements().contains("Edge width"));
   click("Edges");
   click("Sites");
   click("Labels");
@@ -51,7 +51,7 @@ TEST_F(PanelTest, SizesFollowTheirSliders) {
 
 TEST_F(PanelTest, ANumberIsTypedIntoASlider) {
   click("Edges");
-  const Place at = middleOf("Edge width");
+  const Position at = middleOf("Edge width");
   panel_.take(Move{at});
   panel_.take(Press{Button::left, {.control = true}});
   panel_.take(Release{});
@@ -59,9 +59,9 @@ TEST_F(PanelTest, ANumberIsTypedIntoASlider) {
   EXPECT_TRUE(panel_.take(Key{"a", {.control = true}}));
   EXPECT_TRUE(panel_.take(Text{"7.5"}));
   EXPECT_TRUE(panel_.take(Key{"enter", {}}));
-  const PanelAnswer answer = draw();
-  EXPECT_EQ(answer.settings.picture.edge_width, 7.5);
-  EXPECT_FALSE(answer.takes_keys);
+  const PanelResult result = draw();
+  EXPECT_EQ(result.settings.picture.edge_width, 7.5);
+  EXPECT_FALSE(result.takes_keys);
 }
 
 TEST_F(PanelTest, ColorsAreChosen) {
@@ -186,12 +186,12 @@ TEST_F(PanelTest, ABackendIsComparedWith) {
 }
 
 TEST_F(PanelTest, AFluidIsBegunAndChanged) {
-  EXPECT_FALSE(panel_.places().contains("Brush"));
+  EXPECT_FALSE(panel_.placements().contains("Brush"));
   click("Case");
   EXPECT_EQ(click("Case/dam-break").begins, FluidCase::dam_break);
   input_.fluid = FluidShown{"rayleigh-taylor", fluidCase(FluidCase::rayleigh_taylor, 64).options};
   draw();
-  EXPECT_FALSE(panel_.places().contains("Method")) << "it does not relax";
+  EXPECT_FALSE(panel_.placements().contains("Method")) << "it does not relax";
   EXPECT_EQ(click("Run").actions, std::vector{Action::run});
   EXPECT_EQ(click("Step").actions, std::vector{Action::step});
   EXPECT_EQ(click("Begin again").actions, std::vector{Action::begin_again});

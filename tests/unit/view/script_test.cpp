@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "unit/fixtures/script_line.h"
 #include "view/script.h"
 
 namespace vorpipe::view {
