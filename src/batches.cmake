@@ -52,7 +52,7 @@ endfunction()
 set(vorpipe_alone
     check/nearest_site.cpp
     cpu/nearest_site.cpp
-    cells/mesh_cells.cpp
+    cells/site_mesh.cpp
     geometry/triangulation.cpp
     geometry/far_disc.cpp
     fish.cpp

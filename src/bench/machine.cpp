@@ -12,7 +12,6 @@
 #include <thread>
 
 #include "bench/build.h"
-#include "bench/revision.h"
 #include "vorpipe.h"
 
 namespace vorpipe::bench {

@@ -1,9 +1,11 @@
-/// The machine and the program of a measurement: for the head of a report.
+/// The machine, the program and its revision, for the head of a report.
 #pragma once
 
-#include <cstdint>
 #include <nlohmann/json_fwd.hpp>
+
+#include <cstdint>
 #include <string>
+#include <string_view>
 
 namespace vorpipe::bench {
 
@@ -27,5 +29,8 @@ std::string markdown(const Machine& machine);
 
 /// An object with the members' names.
 nlohmann::ordered_json json(const Machine& machine);
+
+/// git's name of the revision, with "-dirty" appended if files were changed; empty outside of a repository.
+std::string_view revision();
 
 }  // namespace vorpipe::bench

@@ -80,7 +80,7 @@ Json cellJson(const Cell& cell) {
 /// A round of all courses, in the order that the generator gives.
 template <class Generator>
 Result<void> runRound(std::span<Course> courses, bool counts, Generator& generator,
-                      const std::function<Result<void>(const Course&)>& go_on) {
+                      const std::function<Result<void>(const Course&)>& keep_running) {
   std::vector<std::size_t> order(courses.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
   // Not std::shuffle, whose order differs between libraries.
@@ -88,7 +88,7 @@ Result<void> runRound(std::span<Course> courses, bool counts, Generator& generat
     std::swap(order[left - 1], order[generator() % left]);
   for (const auto index : order) {
     Course& course = courses[index];
-    VORPIPE_TRY(go_on(course));
+    VORPIPE_TRY(keep_running(course));
     if (!course.failed.empty()) continue;
     if (auto done = course.run(counts); !done) {
       if (done.error().code == ErrorCode::cancelled) return done;
@@ -176,13 +176,13 @@ Result<void> interleave(std::span<Course> courses, int repetitions, const Progre
   std::minstd_rand generator(1);
   const auto all = static_cast<double>(courses.size()) * (repetitions + 1);
   double done = 0;
-  const auto go_on = [&](const Course& course) -> Result<void> {
+  const auto keep_running = [&](const Course& course) -> Result<void> {
     const double part = done++ / all;
     if (!progress || progress(course.name, part)) return {};
     return tl::unexpected(Error{ErrorCode::cancelled, "interrupted"});
   };
   for (int round = 0; round <= repetitions; ++round) {
-    VORPIPE_TRY(runRound(courses, round > 0, generator, go_on));
+    VORPIPE_TRY(runRound(courses, round > 0, generator, keep_running));
   }
   return {};
 }

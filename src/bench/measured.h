@@ -1,12 +1,14 @@
-/// Measurements and their output: repeated runs, their medians and spread, tables in Markdown and in JSON.
-/// `vorpipe bench` and the programs of tests/bench use the same.
+/// Measurements and their output: repeated runs, their medians and spread, tables in Markdown and in JSON,
+/// and curves in SVG. `vorpipe bench` and the programs of tests/bench use the same.
 #pragma once
+
+#include <nlohmann/json_fwd.hpp>
 
 #include <cstdint>
 #include <functional>
-#include <nlohmann/json_fwd.hpp>
 #include <span>
 #include <string>
+#include <utility>
 #include <variant>
 #include <vector>
 
@@ -66,5 +68,20 @@ struct Course {
 /// same in every program. Other activity of the machine thus affects all courses alike. A course that fails
 /// is not run again. Error (cancelled): progress or a course requested it.
 Result<void> interleave(std::span<Course> courses, int repetitions, const Progress& progress);
+
+struct Curve {
+  std::string name;
+  std::vector<std::pair<double, double>> points;  ///< x and y, all above 0
+  bool theirs = false;                            ///< figures of another program: dashed
+};
+
+struct Plot {
+  std::string title, x, y;  ///< the axes' names with their units
+  std::vector<Curve> curves;
+};
+
+/// A drawing of all plots that have a point, two side by side, with `caption` below. A curve has one color
+/// in all of them, by its name.
+std::string svg(std::span<const Plot> plots, const std::string& caption);
 
 }  // namespace vorpipe::bench

@@ -1,16 +1,113 @@
+#include <fcntl.h>
 #include <fmt/core.h>
-
-#include <algorithm>
-#include <filesystem>
-#include <fstream>
+#include <spawn.h>
+#include <sys/wait.h>
+#include <unistd.h>
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
+#include <chrono>
+#include <csignal>
+#include <cstring>
+#include <filesystem>
+#include <fstream>
+#include <memory>
+#include <thread>
+
 #include "base/try.h"
-#include "bench/child.h"
 #include "bench/tables.h"
+
+#ifdef __APPLE__
+extern char** environ;
+#endif
 
 namespace vorpipe::bench {
 namespace {
+
+constexpr auto glance = std::chrono::milliseconds(20);
+constexpr mode_t readable = 0600;
+
+tl::unexpected<Error> failure(std::string message) {
+  return tl::unexpected(Error{ErrorCode::device, std::move(message)});
+}
+
+std::string lastLine(const std::string& path) {
+  std::ifstream file(path);
+  std::string last;
+  for (std::string line; std::getline(file, line);) {
+    if (!line.empty()) last = line;
+  }
+  return last;
+}
+
+Result<pid_t> start(const std::string& program, const std::vector<std::string>& arguments,
+                    const std::string& errors) {
+  std::vector<std::string> words = {program};
+  words.insert(words.end(), arguments.begin(), arguments.end());
+  std::vector<char*> pointers;
+  pointers.reserve(words.size() + 1);
+  for (std::string& word : words) pointers.push_back(word.data());
+  pointers.push_back(nullptr);
+  posix_spawn_file_actions_t files;
+  posix_spawn_file_actions_init(&files);
+  const std::unique_ptr<posix_spawn_file_actions_t, int (*)(posix_spawn_file_actions_t*)> release(
+      &files, posix_spawn_file_actions_destroy);
+  posix_spawn_file_actions_addopen(&files, STDOUT_FILENO, "/dev/null", O_WRONLY, 0);
+  posix_spawn_file_actions_addopen(&files, STDERR_FILENO, errors.c_str(), O_WRONLY | O_CREAT | O_TRUNC,
+                                   readable);
+  pid_t child = 0;
+  const int code = posix_spawn(&child, program.c_str(), &files, nullptr, pointers.data(), environ);
+  if (code != 0) return failure(fmt::format("{}: {}", program, std::strerror(code)));
+  return child;
+}
+
+/// A temporary folder that exists as long as this object.
+class TemporaryFolder {
+ public:
+  TemporaryFolder() {
+    std::error_code none;
+    std::string name = (std::filesystem::temp_directory_path(none) / "vorpipe-bench-XXXXXX").string();
+    if (!none && mkdtemp(name.data()) != nullptr) path_ = name;
+  }
+  ~TemporaryFolder() {
+    std::error_code ignored;
+    if (!path_.empty()) std::filesystem::remove_all(path_, ignored);
+  }
+  TemporaryFolder(const TemporaryFolder&) = delete;
+  TemporaryFolder& operator=(const TemporaryFolder&) = delete;
+  /// Empty if it could not be made.
+  [[nodiscard]] const std::string& path() const { return path_; }
+
+ private:
+  std::string path_;
+};
+
+/// Runs `program` with arguments, its standard error in the file `errors`, and waits for it. Errors: it
+/// refused its arguments with exit code 2 (input), could not be started or failed (device), in the words of
+/// its last line; `keep_running` returned false, and it was ended (cancelled).
+Result<void> runChild(const std::string& program, const std::vector<std::string>& arguments,
+                      const std::string& errors, const std::function<bool()>& keep_running) {
+  const auto child = start(program, arguments, errors);
+  if (!child) return tl::unexpected(child.error());
+  int status = 0;
+  while (waitpid(*child, &status, WNOHANG) == 0) {
+    if (!keep_running()) {
+      kill(*child, SIGKILL);
+      waitpid(*child, &status, 0);
+      return tl::unexpected(Error{ErrorCode::cancelled, "interrupted"});
+    }
+    std::this_thread::sleep_for(glance);
+  }
+  if (WIFEXITED(status) && WEXITSTATUS(status) == 0) return {};
+  const std::string said = lastLine(errors);
+  if (WIFSIGNALED(status)) {
+    return failure(fmt::format("ended by signal {}{}{}", WTERMSIG(status), said.empty() ? "" : ": ", said));
+  }
+  constexpr std::string_view name = "vorpipe: ";
+  constexpr int refused = 2;
+  return tl::unexpected(Error{WEXITSTATUS(status) == refused ? ErrorCode::input : ErrorCode::device,
+                              said.starts_with(name) ? said.substr(name.size()) : said});
+}
 
 struct Kind {
   const char* what;
@@ -34,14 +131,14 @@ std::vector<std::string> optionsOf(const Settings& settings, const std::string& 
 /// The peak of a run in bytes, as its --stats report.
 Result<std::uint64_t> peakOf(const Lab& lab, const Kind& kind, const std::string& backend,
                              std::uint64_t sites, const std::string& folder,
-                             const std::function<bool()>& go_on) {
+                             const std::function<bool()>& keep_running) {
   const std::string stats = folder + "/stats.json";
   std::vector<std::string> words = {kind.command, "--sites", fmt::format("random:{}", sites), "--stats",
                                     stats};
   const auto options = optionsOf(lab.settings(), backend);
   words.insert(words.end(), options.begin(), options.end());
   words.insert(words.end(), kind.arguments.begin(), kind.arguments.end());
-  VORPIPE_TRY(runChild(lab.settings().program, words, folder + "/errors", go_on));
+  VORPIPE_TRY(runChild(lab.settings().program, words, folder + "/errors", keep_running));
   std::ifstream file(stats);
   const auto json = nlohmann::json::parse(file, nullptr, false);
   const auto peak = json.find("peak_memory_bytes");
@@ -60,10 +157,10 @@ std::vector<Kind> kindsIn(const std::string& folder) {
 /// Runs one kind on one backend with increasing numbers of sites.
 Result<void> addRows(Lab& lab, const Kind& kind, const std::string& backend,
                      const std::vector<std::uint64_t>& sizes, const std::string& folder,
-                     const std::function<bool()>& go_on, Table& table, Curve& curve) {
+                     const std::function<bool()>& keep_running, Table& table, Curve& curve) {
   std::uint64_t peak_before = 0, sites_before = 0;
   for (const auto sites : sizes) {
-    const auto peak = peakOf(lab, kind, backend, sites, folder, go_on);
+    const auto peak = peakOf(lab, kind, backend, sites, folder, keep_running);
     if (!peak && peak.error().code == ErrorCode::cancelled) return tl::unexpected(peak.error());
     std::vector<Cell> row = {backend, std::string(kind.what), sites};
     if (peak) {
@@ -91,7 +188,7 @@ Result<void> addRows(Lab& lab, const Kind& kind, const std::string& backend,
 Result<Findings> memory(Lab& lab) {
   const Settings& settings = lab.settings();
   const std::vector<std::uint64_t> wanted = {10'000, 100'000, 1'000'000, 10'000'000};
-  const auto sizes = sizesUpTo(wanted, settings.max_sites);
+  const auto sizes = upTo(wanted, settings.max_sites);
   Table table{"memory",
               "Memory: the peak of one run in a process of its own, random sites",
               {{"backend", "backend"},
@@ -113,16 +210,16 @@ Result<Findings> memory(Lab& lab) {
   const auto kinds = kindsIn(folder.path());
   const auto all = static_cast<double>(kinds.size() * settings.backends.size());
   double done = 0;
-  const auto go_on = [&] { return !settings.progress || settings.progress("memory", done / all); };
+  const auto keep_running = [&] { return !settings.progress || settings.progress("memory", done / all); };
   for (const auto& backend : settings.backends) {
     for (const Kind& kind : kinds) {
       Curve curve{backend, {}};
-      VORPIPE_TRY(addRows(lab, kind, backend, sizes, folder.path(), go_on, table, curve));
+      VORPIPE_TRY(addRows(lab, kind, backend, sizes, folder.path(), keep_running, table, curve));
       if (&kind == &kinds.front()) plot.curves.push_back(std::move(curve));
       ++done;
     }
   }
-  table.notes = noteOfLimit(lab, wanted.back());
+  table.notes = noteIfCut("--max-sites", lab.settings().max_sites, wanted.back());
   table.notes.emplace_back(
       "One run each. The program, its libraries and the driver are part of it, and so is what a software "
       "device holds; the memory of a graphics card is not. Everything is written as .npz, to /dev/null.");

@@ -1,4 +1,4 @@
-#include "bench/plot.h"
+#include "bench/measured.h"
 
 #include <fmt/core.h>
 

@@ -25,14 +25,15 @@ std::vector<Column> columnsOf(const std::string& unit) {
   return columns;
 }
 
+Samples milliseconds(Samples seconds) {
+  for (double& sample : seconds) sample *= 1e3;
+  return seconds;
+}
+
 Table hostTable(const Outcomes& outcomes, const std::string& title) {
   Table table{"stages_host", title, columnsOf(", ms")};
   table.columns.push_back({"whole", "whole, ms"});
   table.columns.push_back({"cpu", "CPU, ms"});
-  const auto milliseconds = [](Samples samples) {
-    for (double& sample : samples) sample *= 1e3;
-    return samples;
-  };
   for (const auto& [kind, outcome] : outcomes) {
     std::vector<Cell> row = {outcome->job.backend, kind};
     for (std::size_t stage = 0; stage < stage_count; ++stage) {
@@ -67,19 +68,17 @@ Table bytesTable(const Outcomes& outcomes) {
   for (const auto& [kind, outcome] : outcomes) {
     std::vector<Cell> row = {outcome->job.backend, kind};
     // Not by reference: clang lets no lambda refer to a name of a structured binding.
-    const auto add = [&row, outcome = outcome](std::uint64_t bytes, Stage stage) {
-      const bool used = outcome->measured() && outcome->last[static_cast<std::size_t>(stage)].calls > 0;
-      row.push_back(used ? Cell(1e-6 * static_cast<double>(bytes)) : Cell(Missing{outcome->failed}));
+    const auto add = [&row, outcome = outcome](Stage stage, std::uint64_t StageWork::*bytes) {
+      const StageWork& work = outcome->last[static_cast<std::size_t>(stage)];
+      const bool used = outcome->measured() && work.calls > 0;
+      row.push_back(used ? Cell(1e-6 * static_cast<double>(work.*bytes)) : Cell(Missing{outcome->failed}));
     };
-    const auto at = [outcome = outcome](Stage stage) {
-      return outcome->last[static_cast<std::size_t>(stage)];
-    };
-    add(at(Stage::upload).sent, Stage::upload);
-    add(at(Stage::clip).sent, Stage::clip);
-    add(at(Stage::clip).received, Stage::clip);
-    add(at(Stage::draw).sent, Stage::draw);
-    add(at(Stage::draw).received, Stage::draw);
-    add(at(Stage::download).received, Stage::download);
+    add(Stage::upload, &StageWork::sent);
+    add(Stage::clip, &StageWork::sent);
+    add(Stage::clip, &StageWork::received);
+    add(Stage::draw, &StageWork::sent);
+    add(Stage::draw, &StageWork::received);
+    add(Stage::download, &StageWork::received);
     table.rows.push_back(std::move(row));
   }
   table.notes = {"What core hands over and gets back. `cpu` works where it lies, and moves none of it."};
@@ -98,8 +97,7 @@ Table deviceTable(const Outcomes& outcomes) {
   for (const auto& [kind, outcome] : outcomes) {
     std::vector<Cell> row = {outcome->job.backend, kind};
     for (const Stage stage : {Stage::upload, Stage::clip, Stage::draw, Stage::download}) {
-      Samples samples = outcome->device[static_cast<std::size_t>(stage)];
-      for (double& sample : samples) sample *= 1e3;
+      Samples samples = milliseconds(outcome->device[static_cast<std::size_t>(stage)]);
       if (samples.empty() && outcome->failed.empty()) {
         row.emplace_back(Missing{stage == Stage::upload ? "no clock: the host's above" : ""});
       } else if (outcome->measured() && median(samples) == 0) {
@@ -138,7 +136,8 @@ Result<Findings> stages(Lab& lab) {
   Findings findings;
   findings.tables = {hostTable(outcomes, fmt::format("Stages of a run, random:{}", count)),
                      bytesTable(outcomes), deviceTable(outcomes)};
-  for (auto& note : noteOfLimit(lab, wanted)) findings.tables.front().notes.push_back(std::move(note));
+  for (auto& note : noteIfCut("--max-sites", lab.settings().max_sites, wanted))
+    findings.tables.front().notes.push_back(std::move(note));
   return findings;
 }
 

@@ -1,11 +1,14 @@
-/// The tables of `vorpipe bench`.
+/// The tables of `vorpipe bench`, and its report.
 #pragma once
 
+#include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "bench/lab.h"
-#include "bench/plot.h"
+#include "bench/machine.h"
+#include "bench/measured.h"
 
 namespace vorpipe::bench {
 
@@ -29,22 +32,43 @@ Result<Findings> inputs(Lab& lab);
 /// The peak of memory, in a process of its own for each run.
 Result<Findings> memory(Lab& lab);
 
-/// Of `sizes`, those that are at most `most`; if none is, `most` alone.
-std::vector<std::uint64_t> sizesUpTo(std::vector<std::uint64_t> sizes, std::uint64_t most);
-
-/// The same for the sides of pictures.
-std::vector<int> sidesUpTo(std::vector<int> sides, int most);
+/// Of `values`, those that are at most `most`; if none is, `most` alone.
+template <class T>
+std::vector<T> upTo(std::vector<T> values, T most) {
+  std::erase_if(values, [most](T value) { return value > most; });
+  if (values.empty()) values.push_back(most);
+  return values;
+}
 
 /// The exponent e of the power a x^e that comes nearest to the points on logarithmic axes; at least two of
 /// different x.
 double exponentOf(const std::vector<std::pair<double, double>>& points);
 
-/// Returns the note below a table that --max-sites has shortened; nothing otherwise.
-std::vector<std::string> noteOfLimit(const Lab& lab, std::uint64_t wanted);
-/// The same for --max-side.
-std::vector<std::string> noteOfSide(const Lab& lab);
+/// Returns the note below a table that an option has cut to `most`; nothing otherwise.
+std::vector<std::string> noteIfCut(std::string_view option, std::uint64_t most, std::uint64_t wanted);
 
 /// The largest pictures.
 inline constexpr int largest_picture = 4000;
+
+inline constexpr int usual_repetitions = 7;
+
+/// A backend under its requested name, and the device that it runs on.
+struct OpenedDevice {
+  std::string name;
+  DeviceInfo device;
+};
+
+struct Conditions {
+  const Machine& machine;
+  const std::vector<OpenedDevice>& opened;
+  const std::vector<std::string>& unusable;  ///< lines that say which backends were not measured, and why
+  const Settings& settings;
+};
+
+/// Returns a heading and a list.
+std::string markdown(const Conditions& conditions);
+
+/// Returns a whole report: an object and a line end.
+std::string reportJson(const Conditions& conditions, std::span<const Table> tables);
 
 }  // namespace vorpipe::bench

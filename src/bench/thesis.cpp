@@ -104,7 +104,7 @@ Table patternTable(const std::vector<Pair>& pairs, const char* pattern, const ch
 using Resolutions = std::vector<std::vector<const Outcome*>>;
 
 Resolutions planResolutions(Lab& lab, std::uint64_t sites) {
-  auto sides = sidesUpTo({500, 1000, 2000, largest_picture}, lab.settings().max_side);
+  auto sides = upTo<int>({500, 1000, 2000, largest_picture}, lab.settings().max_side);
   sides.push_back(0);
   Resolutions rows;
   for (const auto& backend : lab.settings().backends) {
@@ -206,7 +206,7 @@ Plot plotOf(const std::vector<Pair>& pairs, bool of_device) {
 Result<Findings> thesis(Lab& lab) {
   const std::uint64_t most = lab.settings().max_sites;
   const std::vector<std::uint64_t> wanted = {100, 1'000, 10'000, 100'000, million, 4 * million};
-  const auto sizes = sizesUpTo(wanted, most);
+  const auto sizes = upTo(wanted, most);
   auto regular_sizes = sizes;
   std::erase(regular_sizes, wanted.back());
   const std::uint64_t for_resolution = std::min(most, million);
@@ -222,9 +222,10 @@ Result<Findings> thesis(Lab& lab) {
                      patternTable(hex, "hex", "Table 3.3 (c) of the thesis: hexagonal lattice"),
                      resolutionTable(resolutions, for_resolution), regularTable(regular)};
   auto& notes = findings.tables.front().notes;
-  notes = noteOfLimit(lab, wanted.back());
+  notes = noteIfCut("--max-sites", lab.settings().max_sites, wanted.back());
   Table& by_resolution = findings.tables[findings.tables.size() - 2];
-  by_resolution.notes = noteOfSide(lab);
+  by_resolution.notes =
+      noteIfCut("--max-side", static_cast<std::uint64_t>(lab.settings().max_side), largest_picture);
   by_resolution.notes.emplace_back(
       "Not drawn: the neighbors of each cell are handed back instead, which the thesis has no way to do.");
   notes.emplace_back(

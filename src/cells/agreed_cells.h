@@ -1,4 +1,4 @@
-/// The cells of a run, found and consistent with each other, before any output is written from them.
+/// The cells of a run, found and consistent with each other, and the diagram written from them.
 #pragma once
 
 #include <optional>
@@ -24,5 +24,10 @@ Result<AgreedCells> agreeOnCells(const Machine& machine, SiteRun& run, const Sit
 Result<std::optional<AgreedCells>> agreeUnlessEmpty(const Machine& machine, SiteRun& run, const Sites& sites,
                                                     const CellsOptions& options, std::span<double> spread,
                                                     Report& report);
+
+/// Does what Session::cells does, except outlines, periods and mass. `run` was begun with `sites`, on the
+/// same machine. Stores the cells in `run` and moves its owners to the diagram. Errors: as in Session::cells.
+Result<Diagram> boxDiagramOn(const Machine& machine, SiteRun& run, const Sites& sites,
+                             const CellsOptions& options);
 
 }  // namespace vorpipe::core

@@ -17,7 +17,6 @@ namespace {
 constexpr std::size_t answers_grain = std::size_t{1} << 15;
 constexpr std::size_t pixels_at_once = std::size_t{1} << 16;
 
-/// The fewest edges of a cell.
 constexpr std::size_t least_edges = 3;
 
 /// For entries of a batch, whose lines do not include their own site: a number that no neighbor has.

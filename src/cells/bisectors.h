@@ -1,10 +1,24 @@
-/// From candidates to the bisector lines that backends clip by.
+/// Which sites may cut which cells, and the bisector lines that backends clip by.
 #pragma once
 
+#include <cstdint>
+#include <span>
+#include <vector>
+
 #include "backend/backend.h"
-#include "cells/candidates.h"
+#include "vorpipe.h"
 
 namespace vorpipe::core {
+
+/// The candidates of `site[e]` are index[offsets[e]] .. index[offsets[e + 1] - 1], nearest first, without the
+/// site itself. Every site not listed is at least reach[e] away from it; infinity if no other can cut.
+/// Indices are those of the SiteSet; distances are in scaled units.
+struct Candidates {
+  std::vector<std::uint32_t> site;
+  std::vector<std::uint32_t> offsets{0};
+  std::vector<std::uint32_t> index;
+  std::vector<double> reach;
+};
 
 /// The origin of a site's cell: the site, or the point of the domain nearest to it.
 Point cellOrigin(const SiteSet& sites, std::uint32_t site);

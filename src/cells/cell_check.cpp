@@ -5,7 +5,7 @@
 
 #include "base/inside.h"
 #include "base/parallel.h"
-#include "cells/size_order.h"
+#include "cells/neighbor_rows.h"
 #include "cells/vertex_batch.h"
 
 namespace vorpipe::core {
@@ -34,7 +34,6 @@ class CellCheck {
     }
   }
 
-  /// Checks the cells in the batch.
   void finish() {
     batch_.place();
     bool any = false;
@@ -78,7 +77,7 @@ class CellCheck {
     const auto other = static_cast<std::size_t>(neighbor);
     const auto row = cells_.edges(other);
     const auto back = proposed_.index.find(row, other, static_cast<std::int32_t>(cell));
-    return back != EdgeIndex::none && row[back + 1 < row.size() ? back + 1 : 0] == before;
+    return back != EdgeIndex::none && row[edgeAfter(row, back)] == before;
   }
 
   /// Checks every edge; isLong(e): whether edge e is longer than a tie. A tie marks the cells at its ends
@@ -95,19 +94,13 @@ class CellCheck {
         mark(neighbor);
         if (tie) {
           mark(before);
-          mark(row[e + 1 < row.size() ? e + 1 : 0]);
+          mark(row[edgeAfter(row, e)]);
         }
       }
       before = neighbor;
     }
     if (!all) mark(static_cast<std::int32_t>(cell));
     return all;
-  }
-
-  /// Marks a cell so flat, or turned around, that weights may leave it no area: its two longest edges may
-  /// coincide without being short.
-  void markFlat(std::uint32_t cell, double area, double perimeter) {
-    if (!(area > 1e-6 * perimeter * perimeter)) mark(static_cast<std::int32_t>(cell));
   }
 
   [[nodiscard]] double perimeterOf(std::size_t k) const {
@@ -123,7 +116,7 @@ class CellCheck {
     const auto cell = batch_.cell(k);
     const double area = batch_.twiceArea(k) / 2;
     const auto moment = batch_.moment(k);
-    if (!sites_.weight.empty()) markFlat(cell, area, perimeterOf(k));
+    if (!sites_.weight.empty() && isFlat(area, perimeterOf(k))) mark(static_cast<std::int32_t>(cell));
     const double third = 1 / (3 * batch_.twiceArea(k));
     const auto origin = measuringOrigin(sites_, cell, batch_.placeOf(k, 0));
     const Point centroid{moment.x * third, moment.y * third};
@@ -134,15 +127,17 @@ class CellCheck {
     if (isRightlyEmpty(sites_, cells_, cell)) return records_.empty(cell);
     if (!isWellFormed(sites_, cells_, cell)) return mark(static_cast<std::int32_t>(cell));
     const auto self = static_cast<std::int32_t>(cell);
-    placeCorners(sites_, cell, row, places_);
+    placeCorners(sites_, cell, row, corners_);
     const bool passed = passes(cell, row, [&](std::size_t e) {
-      const auto before = e > 0 ? e - 1 : row.size() - 1, after = e + 1 < row.size() ? e + 1 : 0;
-      return !edgeSpan(sites_, self, row[before], row[e], row[after], places_[e], places_[after]).isTie();
+      const auto after = edgeAfter(row, e);
+      return !edgeSpan(sites_, self, row[edgeBefore(row, e)], row[e], row[after], corners_[e],
+                       corners_[after])
+                  .isTie();
     });
     if (!passed) return;
-    const auto origin = measuringOrigin(sites_, cell, places_.front());
-    const auto m = measureCell(origin, places_);
-    if (!sites_.weight.empty()) markFlat(cell, m.area, m.perimeter);
+    const auto origin = measuringOrigin(sites_, cell, corners_.front());
+    const auto m = measureCell(origin, corners_);
+    if (!sites_.weight.empty() && isFlat(m.area, m.perimeter)) mark(static_cast<std::int32_t>(cell));
     records_.cell(cell, row.size(), m.area, origin, m.centroid, spreadOf(m));
   }
 
@@ -152,7 +147,7 @@ class CellCheck {
   const Records& records_;
   std::span<std::uint8_t> suspect_;
   CornerBatch batch_;
-  std::vector<AnchoredPoint> places_;
+  std::vector<AnchoredPoint> corners_;
 };
 
 /// Prefetches cells about one row of bins ahead. Cells are checked row by row, so these are read next and are
@@ -171,7 +166,6 @@ class CellCheck {
 #endif
 }
 
-/// Checks the cells cellAt(0) to cellAt(count - 1).
 template <class CellAt>
 void checkSome(const ProposedCells& proposed, std::size_t count, const CellAt& cellAt, const Records& records,
                std::span<std::uint8_t> suspect) {

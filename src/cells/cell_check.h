@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "cells/cell_record.h"
-#include "cells/edge_index.h"
+#include "cells/neighbor_rows.h"
 
 namespace vorpipe::core {
 
@@ -29,6 +29,10 @@ void checkCells(const ProposedCells& proposed, std::span<const std::uint32_t> wh
 
 /// The same for all cells.
 void checkCells(const ProposedCells& proposed, const Records& records, std::span<std::uint8_t> suspect);
+
+/// Whether a cell is so flat, or turned around, that only exact arithmetic decides whether weights leave it
+/// an area: its two longest edges may coincide without being short.
+inline bool isFlat(double area, double perimeter) { return !(area > 1e-6 * perimeter * perimeter); }
 
 /// Whether a cell is certified and has at least three edges, all to other sites or to walls of the domain.
 bool isWellFormed(const SiteSet& sites, const NeighborRows& cells, std::size_t cell);

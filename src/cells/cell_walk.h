@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-#include "cells/size_order.h"
+#include "cells/neighbor_rows.h"
 #include "cells/vertex_batch.h"
 
 namespace vorpipe::core {
@@ -41,12 +41,7 @@ class CellWalk {
   void visit(std::uint32_t cell, const Take& take) {
     if (cells_.status(cell) == CellStatus::empty) return;
     const auto row = cells_.edges(cell);
-    auto added = batch_.add(cell, row);
-    if (added == CornerBatch::Added::full) {
-      takeBatch(take);
-      added = batch_.add(cell, row);
-    }
-    if (added != CornerBatch::Added::other) return;
+    if (batch_.add(cell, row, [&] { takeBatch(take); }) != CornerBatch::Added::other) return;
     placeCorners(sites_, cell, row, corners_);
     take(cell, row, std::span<const AnchoredPoint>(corners_));
   }

@@ -1,25 +1,81 @@
 #include "cells/device_ladder.h"
 
 #include <algorithm>
+#include <atomic>
+#include <cmath>
+#include <numeric>
 #include <utility>
 
 #include "base/distinct.h"
+#include "base/inside.h"
+#include "base/parallel.h"
 #include "base/progress_steps.h"
+#include "base/stopwatch.h"
 #include "base/try.h"
 
 namespace vorpipe::core {
 namespace {
 
+constexpr std::size_t device_eligible_grain = std::size_t{1} << 16;
+
+bool fitsFloat(const SiteSet& sites, std::size_t i) {
+  constexpr double most_distance = 1e15, most_weight = 1e18;
+  return std::abs(sites.x[i]) <= most_distance && std::abs(sites.y[i]) <= most_distance &&
+         (sites.weight.empty() || std::abs(sites.weight[i]) <= most_weight);
+}
+
 constexpr std::size_t lines_per_batch = std::size_t{1} << 20;
 
 }  // namespace
 
+Triage sortOut(const SiteSet& sites, int threads) {
+  std::atomic<std::size_t> outside{0};
+  std::atomic<bool> fit{true};
+  parallelFor(sites.size(), device_eligible_grain, threads, [&](std::size_t begin, std::size_t end) {
+    std::size_t count = 0;
+    bool all_fit = true;
+    for (auto i = begin; i < end; ++i) {
+      count += isInside(sites.domain, sites.x[i], sites.y[i]) ? 0u : 1u;
+      all_fit = all_fit && fitsFloat(sites, i);
+    }
+    outside += count;
+    if (!all_fit) fit = false;
+  });
+  if (!fit) return {{}, allOf(sites)};
+  if (outside == 0) return {allOf(sites), {}};
+  Triage triage;
+  triage.inside.reserve(sites.size() - outside);
+  triage.outside.reserve(outside);
+  for (std::uint32_t i = 0; i < sites.size(); ++i) {
+    (isInside(sites.domain, sites.x[i], sites.y[i]) ? triage.inside : triage.outside).push_back(i);
+  }
+  return triage;
+}
+
+Result<void> Upload::give(const Tile& tile) {
+  const bool all = tile.whole.empty();
+  if (all && (has_all_ || (held_ != nullptr && held_->areThere()))) return {};
+  const Stopwatch watch;
+  if (!all && !palette_index_.empty()) {
+    tile_palette_index_.clear();
+    for (const auto site : tile.whole) tile_palette_index_.push_back(palette_index_[site]);
+  }
+  VORPIPE_TRY(backend_.upload(tile.sites, all ? palette_index_ : std::span(tile_palette_index_)));
+  has_all_ = all;
+  if (held_ != nullptr) {
+    held_->after.reset();
+    if (all && held_->uploads != nullptr) held_->after = *held_->uploads;
+  }
+  seconds_ += watch.seconds();
+  return {};
+}
+
 CellLadder::CellLadder(const SearchInput& input, Upload& upload, std::size_t worth_fast)
     : input_(input),
       upload_(upload),
-      begins_roomy_(input.sites.size() < worth_fast),
-      any_roomy_(begins_roomy_),
-      roomy_(input.sites.size(), begins_roomy_) {}
+      begins_large_(input.sites.size() < worth_fast),
+      any_large_(begins_large_),
+      large_(input.sites.size(), begins_large_) {}
 
 void CellLadder::choose(Triage triage) {
   sorted_out_ = true;
@@ -27,20 +83,16 @@ void CellLadder::choose(Triage triage) {
   left_ = std::move(triage.outside);
 }
 
-Result<std::vector<std::uint32_t>> CellLadder::climbDevice(const Ask& ask) {
+Result<std::vector<std::uint32_t>> CellLadder::run(const Ask& ask) {
   done_ = 0;
-  sortOutOnce();
+  // Cells that no device is asked about go to the remaining ones at once.
+  if (!sorted_out_) choose(sortOut(input_.sites, input_.threads));
   const bool by_grid = input_.search.method == Search::grid;
-  VORPIPE_TRY(by_grid ? climbGrid(ask) : climbLists(ask));
+  VORPIPE_TRY(by_grid ? runGrid(ask) : runLists(ask));
   sortDistinct(left_, static_cast<std::uint32_t>(input_.sites.size()));
   const auto kept = std::ranges::set_difference(on_device_, left_, on_device_.begin()).out;
   on_device_.erase(kept, on_device_.end());
   return std::exchange(left_, {});
-}
-
-/// Cells that no device is asked about go to the remaining ones at once.
-void CellLadder::sortOutOnce() {
-  if (!sorted_out_) choose(sortOut(input_.sites, input_.threads));
 }
 
 Result<void> CellLadder::findLeft(const Indices& which, NeighborRows& rows) {
@@ -57,28 +109,28 @@ Result<void> CellLadder::findLeft(const Indices& which, NeighborRows& rows) {
   return {};
 }
 
-Result<KnownCells> CellLadder::askJudge(Indices which) {
+Result<CellResults> CellLadder::askJudge(Indices which) {
   const Stopwatch watch;
   auto found = input_.judge.find(which, Precision::in_double, input_.threads, input_.progress, exact_);
   if (!found) return tl::unexpected(found.error());
   if (!which.empty()) judge_seconds_ += watch.seconds();
   in_double_ += which.size();
-  return KnownCells{std::move(which), std::move(*found)};
+  return CellResults{std::move(which), std::move(*found)};
 }
 
-Result<void> CellLadder::climbGrid(const Ask& ask) {
+Result<void> CellLadder::runGrid(const Ask& ask) {
   if (on_device_.empty()) return {};
   auto unfit = forTiles(input_.sites, input_.backend.info(), on_device_, input_.threads,
                         [&](const Tile& tile) { return tryTile(tile, ask); });
   if (!unfit) return tl::unexpected(unfit.error());
-  any_roomy_ = any_roomy_ || retried_ > 0;
+  any_large_ = any_large_ || retried_ > 0;
   left_.insert(left_.end(), unfit->begin(), unfit->end());
   return {};
 }
 
 Result<void> CellLadder::tryTile(const Tile& tile, const Ask& ask) {
   if (areMany(0)) {
-    leave(tile, tile.own);
+    defer(tile, tile.own);
     return {};
   }
   VORPIPE_TRY(upload_.give(tile));
@@ -89,27 +141,27 @@ Result<void> CellLadder::tryTile(const Tile& tile, const Ask& ask) {
   VORPIPE_TRY(tryFast(tile, sample.cells, ask, large));
   // A few cells that need more room do not change the sample's prediction.
   if (4 * large.cells.size() > sample.cells.size()) {
-    VORPIPE_TRY(tryLarge(tile, ask, large));
+    VORPIPE_TRY(retryLarge(tile, ask, large));
   }
   const auto failed = left_.size() - before;
   if (sample.isHopeless(failed) || areMany(sample.expected(failed)) || sample.areMostlyHidden(hidden_)) {
-    leave(tile, large.cells);
-    leave(tile, sample.rest);
+    defer(tile, large.cells);
+    defer(tile, sample.rest);
     return {};
   }
   VORPIPE_TRY(tryFast(tile, sample.rest, ask, large));
-  return tryLarge(tile, ask, large);
+  return retryLarge(tile, ask, large);
 }
 
 /// Adds to `large` the cells that need more room, according to earlier tries or this one.
 Result<void> CellLadder::tryFast(const Tile& tile, Which which, const Ask& ask, Large& large) {
-  if (!any_roomy_) return tryCells(tile, which, Effort::fast, ask, large);
+  if (!any_large_) return tryCells(tile, which, Effort::fast, ask, large);
   Indices fast;
-  for (const auto site : which) (roomy_[tile.wholeIndex(site)] ? large.cells : fast).push_back(site);
+  for (const auto site : which) (large_[tile.wholeIndex(site)] ? large.cells : fast).push_back(site);
   return tryCells(tile, fast, Effort::fast, ask, large);
 }
 
-Result<void> CellLadder::tryLarge(const Tile& tile, const Ask& ask, Large& large) {
+Result<void> CellLadder::retryLarge(const Tile& tile, const Ask& ask, Large& large) {
   const Large all = std::exchange(large, {});
   retried_ += all.overflowed;
   return tryCells(tile, all.cells, Effort::roomy, ask, large);
@@ -131,7 +183,7 @@ Result<void> CellLadder::tryCells(const Tile& tile, Which which, Effort effort, 
       if (fast && status[e] == CellStatus::overflow) {
         large.cells.push_back(part[e]);
         ++large.overflowed;
-        roomy_[site] = true;
+        large_[site] = true;
       } else {
         left_.push_back(site);
       }
@@ -152,26 +204,25 @@ bool CellLadder::areMany(std::size_t more) const {
   return many * (left_.size() + more) > input_.sites.size();
 }
 
-/// Leaves these cells to the mesh.
-void CellLadder::leave(const Tile& tile, Which which) {
+void CellLadder::defer(const Tile& tile, Which which) {
   for (const auto site : which) left_.push_back(tile.wholeIndex(site));
   done_ += which.size();
 }
 
-Result<void> CellLadder::climbLists(const Ask& ask) {
+Result<void> CellLadder::runLists(const Ask& ask) {
   if (on_device_.empty()) return {};
   const Stopwatch watch;
   if (!lists_) lists_.emplace(input_.sites, input_.threads);
   search_seconds_ += watch.seconds();
   const auto most = std::min<std::uint64_t>(FlannSearch::most_neighbors, input_.backend.info().max_lines);
-  const auto first = begins_roomy_ ? Effort::roomy : Effort::fast;
+  const auto first = begins_large_ ? Effort::roomy : Effort::fast;
   Indices pending = on_device_;
   for (auto k = std::min<std::size_t>(static_cast<std::size_t>(input_.search.neighbors), most);; k *= 2) {
     auto outcome = tryLists(pending, k, first, ask);
     if (!outcome) return tl::unexpected(outcome.error());
-    if (!outcome->roomier.empty()) {
-      retried_ += outcome->roomier.size();
-      const auto again = tryLists(outcome->roomier, k, Effort::roomy, ask);
+    if (!outcome->overflowed.empty()) {
+      retried_ += outcome->overflowed.size();
+      const auto again = tryLists(outcome->overflowed, k, Effort::roomy, ask);
       if (!again) return tl::unexpected(again.error());
       outcome->unsecured.insert(outcome->unsecured.end(), again->unsecured.begin(), again->unsecured.end());
     }
@@ -184,7 +235,6 @@ Result<void> CellLadder::climbLists(const Ask& ask) {
   return {};
 }
 
-/// Asks the device for cells from their k nearest neighbors.
 Result<CellLadder::Outcome> CellLadder::tryLists(Which which, std::size_t k, Effort effort, const Ask& ask) {
   const auto& info = input_.backend.info();
   const bool fast = effort == Effort::fast;
@@ -203,7 +253,7 @@ Result<CellLadder::Outcome> CellLadder::tryLists(Which which, std::size_t k, Eff
       if (isDone(status[e])) continue;
       const bool again = fast && status[e] == CellStatus::overflow;
       (status[e] == CellStatus::unsecured ? outcome.unsecured
-       : again                            ? outcome.roomier
+       : again                            ? outcome.overflowed
                                           : left_)
           .push_back(part[e]);
     }

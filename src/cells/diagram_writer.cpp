@@ -26,7 +26,6 @@ class EdgeWriter {
         diagram_(diagram),
         walk_(proposed.sites, proposed.cells) {}
 
-  /// Writes the neighbors of cells begin to end - 1.
   void neighbors(std::size_t begin, std::size_t end) {
     std::array<std::uint64_t, ahead> out{};
     for (auto some = begin; some < end; some += ahead) {
@@ -41,7 +40,6 @@ class EdgeWriter {
     }
   }
 
-  /// Writes the polygons of cells begin to end - 1.
   void polygons(std::size_t begin, std::size_t end) {
     walk_(begin, end, [this](std::uint32_t cell, auto row, auto corners) {
       if (tied_.has(cell)) {
@@ -69,13 +67,13 @@ class EdgeWriter {
   void writeTied(std::size_t cell, std::span<const std::int32_t> row) {
     const auto k = tied_.entry[cell];
     keptEdges(proposed_, tied_, k, edges_);
-    places_.clear();
-    kept_.clear();
+    corners_.clear();
+    neighbors_.clear();
     for (const auto e : edges_) {
-      places_.push_back(tiedPosition(tied_, k, e));
-      kept_.push_back(row[e]);
+      corners_.push_back(tiedPosition(tied_, k, e));
+      neighbors_.push_back(row[e]);
     }
-    writePolygon(cell, kept_, places_);
+    writePolygon(cell, neighbors_, corners_);
   }
 
   /// Writes the cell with these neighbors, whose edges begin in `corners`.
@@ -86,7 +84,7 @@ class EdgeWriter {
     double perimeter = 0;
     for (std::size_t e = 0; e < row.size(); ++e, ++out) {
       const auto& begin = corners[e];
-      const double length = lengthOf(wayBetween(begin, corners[e + 1 < row.size() ? e + 1 : 0]));
+      const double length = lengthOf(wayBetween(begin, corners[edgeAfter(row, e)]));
       perimeter += length;
       diagram_.vertices[out] = unscale_(positionOf(begin));
       diagram_.neighbors[out] = outsideIndex(sites_, row[e]);
@@ -112,8 +110,8 @@ class EdgeWriter {
   Diagram& diagram_;
   CellWalk walk_;
   std::vector<std::uint32_t> edges_;
-  std::vector<std::int32_t> kept_;
-  std::vector<AnchoredPoint> places_;
+  std::vector<std::int32_t> neighbors_;
+  std::vector<AnchoredPoint> corners_;
 };
 
 /// Resizes the arrays that `detail` requests. First touch of memory is slow, so threads share it.
@@ -137,7 +135,6 @@ void makeArrays(std::size_t count, std::size_t edges, Detail detail, int threads
               [&](std::size_t task, std::size_t) { tasks[task](); });
 }
 
-/// The areaGap of `count` cells.
 template <class AreaOf>
 double gapOf(std::size_t count, const AreaOf& area_of, const Box& domain, int threads) {
   std::vector<DoubleDouble> parts((count + diagram_writer_grain - 1) / diagram_writer_grain);

@@ -13,6 +13,126 @@
 namespace vorpipe::core {
 namespace {
 
+bool isOutside(const MeshTriangle& t) {
+  return std::find(t.corner.begin(), t.corner.end(), ghost) != t.corner.end();
+}
+
+/// A triangle whose corner k is the site siteOf(k), by input index, the lowest first.
+template <class SiteOf>
+Triangles::value_type named(const SiteSet& sites, const MeshTriangle& t, const SiteOf& siteOf) {
+  Triangles::value_type ids{};
+  std::transform(t.corner.begin(), t.corner.end(), ids.begin(),
+                 [&](auto k) { return sites.id[siteOf(static_cast<std::size_t>(k))]; });
+  std::rotate(ids.begin(), std::min_element(ids.begin(), ids.end()), ids.end());
+  return ids;
+}
+
+using Edge = std::pair<std::int32_t, std::int32_t>;
+
+/// Whether some vertex of a cell is not inside the domain. This holds for all three sites of a triangle whose
+/// center is not inside the domain: without clipping, their cells would reach that center.
+bool reachesOutside(const ProposedCells& agreed, const TiedCells& tied, std::size_t cell) {
+  const auto row = agreed.cells.edges(cell);
+  if (row.empty() || std::any_of(row.begin(), row.end(), [](auto n) { return n < 0; })) return true;
+  if (!tied.has(cell)) return false;
+  return std::ranges::any_of(tied.vertices(tied.entry[cell]),
+                             [&](auto vertex) { return tied.walls[vertex] != 0; });
+}
+
+/// The Delaunay mesh of a subset of the sites.
+class OuterMesh {
+ public:
+  OuterMesh(const SiteSet& sites, std::vector<std::uint32_t> cells)
+      : sites_(sites), cells_(std::move(cells)) {
+    std::vector<Point> points;
+    points.reserve(cells_.size());
+    std::vector<double> weights;
+    for (const auto cell : cells_) {
+      points.push_back({sites.x[cell], sites.y[cell]});
+      if (!sites.weight.empty()) weights.push_back(sites.weight[cell]);
+    }
+    mesh_ = delaunay(points, weights).triangles;
+  }
+
+  [[nodiscard]] std::size_t hullEdges() const {
+    return static_cast<std::size_t>(
+        std::count_if(mesh_.begin(), mesh_.end(), [](const auto& t) { return isOutside(t); }));
+  }
+
+  /// Appends the triangles between the hull and the known ones. The known triangles lie to the left of the
+  /// `known` edges, which are sorted pairs of indices in cells_.
+  void appendBeyond(const std::vector<Edge>& known, Triangles& triangles) const {
+    std::vector<std::uint8_t> reached(mesh_.size());
+    std::vector<std::size_t> open;
+    const auto reach = [&](std::size_t t) {
+      if (std::exchange(reached[t], std::uint8_t{1}) == 0) open.push_back(t);
+    };
+    for (std::size_t t = 0; t < mesh_.size(); ++t) {
+      if (isOutside(mesh_[t])) reach(t);
+    }
+    while (!open.empty()) {
+      const auto& here = mesh_[open.back()];
+      open.pop_back();
+      for (std::size_t k = 0; k < 3; ++k) {
+        const Edge seen_from_there{here.corner[(k + 2) % 3], here.corner[(k + 1) % 3]};
+        if (!std::binary_search(known.begin(), known.end(), seen_from_there)) {
+          reach(static_cast<std::size_t>(here.neighbor[k]));
+        }
+      }
+    }
+    for (std::size_t t = 0; t < mesh_.size(); ++t) {
+      if (reached[t] != 0 && !isOutside(mesh_[t])) {
+        triangles.push_back(named(sites_, mesh_[t], [&](std::size_t k) { return cells_[k]; }));
+      }
+    }
+  }
+
+  /// The number of each site in this mesh by input index, or `ghost`.
+  [[nodiscard]] std::vector<std::int32_t> numbers() const {
+    std::vector<std::int32_t> number;
+    const auto most = std::max_element(sites_.id.begin(), sites_.id.end());
+    number.assign(*most + std::size_t{1}, ghost);
+    for (std::size_t k = 0; k < cells_.size(); ++k)
+      number[sites_.id[cells_[k]]] = static_cast<std::int32_t>(k);
+    return number;
+  }
+
+ private:
+  const SiteSet& sites_;
+  std::vector<std::uint32_t> cells_;
+  BigVector<MeshTriangle> mesh_;
+};
+
+/// The edges, sorted, of triangles between sites of the mesh.
+std::vector<Edge> knownEdges(const OuterMesh& mesh, const Triangles& triangles) {
+  const auto number = mesh.numbers();
+  std::vector<Edge> known;
+  for (const auto& triangle : triangles) {
+    for (std::size_t k = 0; k < 3; ++k) {
+      const Edge edge{number[triangle[k]], number[triangle[(k + 1) % 3]]};
+      if (edge.first != ghost && edge.second != ghost) known.push_back(edge);
+    }
+  }
+  std::sort(known.begin(), known.end());
+  return known;
+}
+
+/// The number of sites that should be corners of triangles: all of them. With weights, those that are
+/// corners, or 0 if a site with a cell is missing.
+std::size_t cornersOf(const ProposedCells& agreed, const Triangles& triangles) {
+  const auto& sites = agreed.sites;
+  if (sites.weight.empty()) return sites.size();
+  const auto most = *std::max_element(sites.id.begin(), sites.id.end());
+  std::vector<std::uint8_t> is_corner(most + std::size_t{1});
+  for (const auto& triangle : triangles) {
+    for (const auto id : triangle) is_corner[id] = 1;
+  }
+  for (std::size_t cell = 0; cell < sites.size(); ++cell) {
+    if (agreed.cells.status(cell) == CellStatus::certified && is_corner[sites.id[cell]] == 0) return 0;
+  }
+  return static_cast<std::size_t>(std::count(is_corner.begin(), is_corner.end(), 1));
+}
+
 constexpr std::size_t dual_triangles_grain = 4096;
 
 using Triple = std::array<std::int32_t, 3>;
@@ -39,8 +159,7 @@ std::vector<std::uint8_t> plainVertices(const ProposedCells& agreed, const TiedC
     const auto row = agreed.cells.edges(tied.cell[k]);
     for (std::size_t e = 0; e < row.size(); ++e) {
       const auto vertex = tied.vertex[tied.offsets[k] + e];
-      const auto here =
-          sorted(static_cast<std::int32_t>(tied.cell[k]), row[e > 0 ? e - 1 : row.size() - 1], row[e]);
+      const auto here = sorted(static_cast<std::int32_t>(tied.cell[k]), row[edgeBefore(row, e)], row[e]);
       if (seen[vertex] == Triple{}) seen[vertex] = here;
       if (seen[vertex] != here) plain[vertex] = 0;
     }
@@ -80,8 +199,8 @@ bool sortAroundPolygon(const SiteSet& sites, std::vector<std::uint32_t>& around)
 bool cellsAround(const ProposedCells& agreed, const TiedCells& tied, std::size_t vertex,
                  std::vector<std::uint32_t>& around) {
   const auto& sites = agreed.sites;
-  around.assign(tied.around.begin() + tied.around_offsets[vertex],
-                tied.around.begin() + tied.around_offsets[vertex + 1]);
+  const auto cells = tied.cellsAt(vertex);
+  around.assign(cells.begin(), cells.end());
   around.erase(std::unique(around.begin(), around.end()), around.end());
   const auto way = [&](std::uint32_t cell) {
     return relativeTo({sites.x[cell], sites.y[cell]}, tied.position[vertex]);
@@ -91,8 +210,7 @@ bool cellsAround(const ProposedCells& agreed, const TiedCells& tied, std::size_t
   } else if (!sortAroundPolygon(sites, around)) {
     return false;
   }
-  const auto lowest = std::min_element(around.begin(), around.end(),
-                                       [&](auto a, auto b) { return sites.id[a] < sites.id[b]; });
+  const auto lowest = std::ranges::min_element(around, {}, [&](auto site) { return sites.id[site]; });
   std::rotate(around.begin(), lowest, around.end());
   return true;
 }
@@ -132,10 +250,10 @@ std::vector<std::array<std::size_t, 3>> triangulated(const SiteSet& sites,
     if (!sites.weight.empty()) weights.push_back(at(k).weight);
   }
   std::vector<std::array<std::size_t, 3>> triangles;
-  for (const auto& [corner, neighbor] : delaunay(points, weights).triangles) {
-    if (std::ranges::find(corner, ghost) != corner.end()) continue;
-    triangles.push_back({static_cast<std::size_t>(corner[0]), static_cast<std::size_t>(corner[1]),
-                         static_cast<std::size_t>(corner[2])});
+  for (const auto& t : delaunay(points, weights).triangles) {
+    if (isOutside(t)) continue;
+    triangles.push_back({static_cast<std::size_t>(t.corner[0]), static_cast<std::size_t>(t.corner[1]),
+                         static_cast<std::size_t>(t.corner[2])});
   }
   return triangles;
 }
@@ -170,7 +288,7 @@ void forTriangles(const ProposedCells& agreed, const TiedCells& tied, const std:
   const bool is_tied = tied.has(cell);
   const auto own = id[cell];
   for (std::size_t e = 0; e < row.size(); ++e) {
-    const auto before = row[e > 0 ? e - 1 : row.size() - 1];
+    const auto before = row[edgeBefore(row, e)];
     const auto after = row[e];
     if (before < 0 || after < 0) continue;
     const auto p = id[static_cast<std::size_t>(before)];
@@ -199,6 +317,43 @@ void append(std::size_t count, int threads, Triangles& triangles, const Make& ma
       make(i, [&](const Triangles::value_type& triangle) { triangles[to++] = triangle; });
     }
   });
+}
+
+/// The Delaunay triangulation of all sites without the help of cells, on one thread.
+Triangles allTriangles(SiteMesh& mesh) {
+  const auto& sites = mesh.sites();
+  Triangles triangles;
+  if (const auto* made = mesh.get(); made != nullptr) {
+    triangles.reserve(made->mesh.triangles.size());
+    for (const auto& t : made->mesh.triangles) {
+      if (!isOutside(t)) triangles.push_back(named(sites, t, [&](std::size_t k) { return made->site[k]; }));
+    }
+    // The numbers of a mesh's triangles depend on the threads that made it.
+    std::sort(triangles.begin(), triangles.end());
+    return triangles;
+  }
+  // The sites lie on one line, or beyond the range of a SiteMesh.
+  OuterMesh(sites, allOf(sites)).appendBeyond({}, triangles);
+  return triangles;
+}
+
+/// Completes the triangles of the vertices inside the domain to the Delaunay triangulation of all sites.
+void addOuterTriangles(const ProposedCells& agreed, const TiedCells& tied, SiteMesh& mesh,
+                       Triangles& triangles) {
+  const auto count = agreed.sites.size();
+  std::vector<std::uint32_t> cells;
+  for (std::size_t cell = 0; cell < count; ++cell) {
+    if (reachesOutside(agreed, tied, cell)) cells.push_back(static_cast<std::uint32_t>(cell));
+  }
+  const OuterMesh outer(agreed.sites, std::move(cells));
+  const auto hull = outer.hullEdges();
+  if (hull == 0) return;
+  outer.appendBeyond(knownEdges(outer, triangles), triangles);
+  // Euler's relation for a triangulation with that many sites on its hull.
+  if (triangles.size() + 2 + hull == 2 * cornersOf(agreed, triangles)) return;
+  // Cells joined by ties may lack an edge between the known triangles and the rest.
+  triangles = {};
+  triangles = allTriangles(mesh);
 }
 
 }  // namespace

@@ -1,9 +1,12 @@
 /// The triangulation that is dual to the cells.
 #pragma once
 
-#include "cells/outer_triangles.h"
+#include "cells/site_mesh.h"
+#include "cells/tied_cells.h"
 
 namespace vorpipe::core {
+
+using Triangles = std::vector<std::array<std::uint32_t, 3>>;
 
 /// Returns the Delaunay triangulation of all sites (input indices, counter-clockwise from the lowest),
 /// whatever the domain; empty if all lie on a line. Uses the mesh's triangles if it is made. Otherwise

@@ -4,7 +4,7 @@
 #include <memory>
 
 #include "backend/backend.h"
-#include "cells/candidates.h"
+#include "cells/bisectors.h"
 
 namespace vorpipe::core {
 

@@ -7,7 +7,7 @@
 #include "base/parallel.h"
 #include "base/progress_steps.h"
 #include "base/try.h"
-#include "cells/mesh_cells.h"
+#include "cells/site_mesh.h"
 
 namespace vorpipe::core {
 namespace {
@@ -25,8 +25,6 @@ constexpr std::size_t few_weighted_sites = std::size_t{1} << 14;
 constexpr std::size_t most_at_once = std::size_t{1} << 24;
 
 using Indices = std::vector<std::uint32_t>;
-
-bool isOpen(CellStatus status) { return !isDone(status); }
 
 }  // namespace
 
@@ -47,8 +45,6 @@ void Judge::addFromMesh(const PartMesh& mesh, std::span<const std::uint32_t> whi
 Result<NeighborRows> Judge::find(std::span<const std::uint32_t> which, Precision precision, int threads,
                                  const Progress& progress, std::uint64_t& exact) {
   NeighborRows cells(which.size(), threads);
-  Indices entries(which.size());
-  std::iota(entries.begin(), entries.end(), 0u);
   const bool few = !sites_.weight.empty() && sites_.size() <= few_weighted_sites && mesh_.isPossible();
   const bool pays = precision == Precision::exact
                         ? few || (!mesh_.isMade() && which.size() > sites_.size() / sites_per_exact_cell)
@@ -57,7 +53,7 @@ Result<NeighborRows> Judge::find(std::span<const std::uint32_t> which, Precision
     addFromMesh(*mesh, which, threads, cells);
     return cells;
   }
-  auto found = findSome(which, entries, precision, progress, cells);
+  auto found = findAlone(which, precision, progress, cells);
   if (found && precision == Precision::in_double && !found->empty()) {
     Indices open;
     for (const auto e : *found) open.push_back(which[e]);
@@ -115,21 +111,17 @@ bool Judge::areMany(std::size_t cells) const {
   return cells > sites_.size() / sites && mesh_.isPossible();
 }
 
-Result<std::vector<std::uint32_t>> Judge::findSome(std::span<const std::uint32_t> which,
-                                                   std::span<const std::uint32_t> entries,
-                                                   Precision precision, const Progress& progress,
-                                                   NeighborRows& cells) {
-  std::vector<std::uint32_t> open;
-  std::vector<std::uint32_t> some;
+Result<std::vector<std::uint32_t>> Judge::findAlone(std::span<const std::uint32_t> which, Precision precision,
+                                                    const Progress& progress, NeighborRows& cells) {
+  Indices entries(which.size()), open;
+  std::iota(entries.begin(), entries.end(), 0u);
   const auto work = [&](std::size_t begin, std::size_t count) -> Result<void> {
-    const auto part = entries.subspan(begin, count);
-    some.clear();
-    for (const auto e : part) some.push_back(which[e]);
     CellNeighbors found;
-    ready().cells(some, precision, found);
-    const auto left = withStatus(part, found.status, isOpen);
-    open.insert(open.end(), left.begin(), left.end());
-    cells.add(part, std::move(found));
+    ready().cells(which.subspan(begin, count), precision, found);
+    for (std::size_t e = 0; e < count; ++e) {
+      if (!isDone(found.status[e])) open.push_back(entries[begin + e]);
+    }
+    cells.add(std::span(entries).subspan(begin, count), std::move(found));
     return {};
   };
   const auto* stage = precision == Precision::exact ? "exact cells" : "cells in double";

@@ -52,10 +52,9 @@ class Judge {
   void addFromMesh(const PartMesh& mesh, std::span<const std::uint32_t> which, int threads,
                    NeighborRows& cells) const;
 
-  /// Adds the cells of which[e] for e in `entries`; returns the entries that are still open.
-  Result<std::vector<std::uint32_t>> findSome(std::span<const std::uint32_t> which,
-                                              std::span<const std::uint32_t> entries, Precision precision,
-                                              const Progress& progress, NeighborRows& cells);
+  /// Adds the cells of which[e] as cells e, without the mesh; returns the entries that are still open.
+  Result<std::vector<std::uint32_t>> findAlone(std::span<const std::uint32_t> which, Precision precision,
+                                               const Progress& progress, NeighborRows& cells);
 
   ExactTier& exact_;
   SiteMesh& mesh_;

@@ -1,11 +1,36 @@
-/// The neighbors of each cell, whatever found them.
+/// The neighbors of each cell, whatever found them, and searches in them.
 #pragma once
 
+#include <emmintrin.h>
+
+#include <algorithm>
 #include <array>
+#include <bit>
+#include <cstdint>
+#include <span>
+#include <utility>
+#include <vector>
 
 #include "backend/backend.h"
 
+#if defined(__SSE2__)
+#endif
+
 namespace vorpipe::core {
+
+/// The edges after and before edge e of a row.
+inline std::size_t edgeAfter(std::span<const std::int32_t> row, std::size_t e) {
+  return e + 1 < row.size() ? e + 1 : 0;
+}
+inline std::size_t edgeBefore(std::span<const std::int32_t> row, std::size_t e) {
+  return e > 0 ? e - 1 : row.size() - 1;
+}
+
+/// Sorts numbers and drops repeated ones.
+inline void sortWithoutRepeats(std::vector<std::uint32_t>& numbers) {
+  std::sort(numbers.begin(), numbers.end());
+  numbers.erase(std::unique(numbers.begin(), numbers.end()), numbers.end());
+}
 
 inline bool isDone(CellStatus status) {
   return status == CellStatus::certified || status == CellStatus::empty;
@@ -62,21 +87,76 @@ class NeighborRows {
   int threads_;
 };
 
-/// The cells of some sites; entry e of `found`, certified or empty, is the cell of which[e].
-struct KnownCells {
-  std::vector<std::uint32_t> which;
-  NeighborRows found;
+/// Finds edges by neighbor, in cells of any number of edges. The cells outlive it unchanged.
+class EdgeIndex {
+ public:
+  EdgeIndex(const NeighborRows& cells, int threads);
+
+  static constexpr std::size_t none = ~std::size_t{0};
+
+  /// The index in `row`, the edges of `cell`, of the edge to `neighbor`; or `none`.
+  [[nodiscard]] std::size_t find(std::span<const std::int32_t> row, std::size_t cell,
+                                 std::int32_t neighbor) const {
+    if (row.size() > most_scanned) return findInLarge(cell, neighbor);
+    const auto* edge = row.data();
+    if (row.size() <= at_once) {
+      const auto first = static_cast<std::size_t>(std::countr_zero(matches(edge, neighbor)));
+      return first < row.size() ? first : none;
+    }
+    for (std::size_t e = 0; e < row.size(); ++e) {
+      if (edge[e] == neighbor) return e;
+    }
+    return none;
+  }
+
+ private:
+  /// Break-even between a linear scan and a sorted list. Without the list a cell of n neighbors would cost
+  /// n^2, since each neighbor looks itself up.
+  static constexpr std::size_t most_scanned = NeighborRows::usual_edges;
+  static constexpr std::size_t at_once = NeighborRows::readable;
+
+  /// Bit e: whether edge[e] is `neighbor`. Always compares `at_once` edges: reading past the row's end is
+  /// cheaper than a mispredicted branch.
+  static std::uint32_t matches(const std::int32_t* edge, std::int32_t neighbor) {
+#if defined(__SSE2__)
+    const auto* four = reinterpret_cast<const __m128i*>(edge);
+    const auto wanted = _mm_set1_epi32(neighbor);
+    const auto low = _mm_cmpeq_epi32(_mm_loadu_si128(four), wanted);
+    const auto high = _mm_cmpeq_epi32(_mm_loadu_si128(four + 1), wanted);
+    const auto bytes = _mm_packs_epi16(_mm_packs_epi32(low, high), _mm_setzero_si128());
+    return static_cast<std::uint32_t>(_mm_movemask_epi8(bytes));
+#else
+    std::uint32_t found = 0;
+    for (std::size_t e = 0; e < at_once; ++e) found |= std::uint32_t{edge[e] == neighbor} << e;
+    return found;
+#endif
+  }
+
+  struct Large {
+    std::size_t cell;
+    std::vector<std::pair<std::int32_t, std::uint32_t>> edges;  ///< neighbor and index in the row, ascending
+  };
+  [[nodiscard]] std::size_t findInLarge(std::size_t cell, std::int32_t neighbor) const;
+
+  std::vector<Large> large_;  ///< ascending
 };
 
-/// The sites among `which` whose entries in `status` have one of the wanted statuses.
-template <class Wanted>
-std::vector<std::uint32_t> withStatus(std::span<const std::uint32_t> which,
-                                      const std::vector<CellStatus>& status, const Wanted& wanted) {
-  std::vector<std::uint32_t> found;
-  for (std::size_t e = 0; e < which.size(); ++e) {
-    if (wanted(status[e])) found.push_back(which[e]);
-  }
-  return found;
+/// Calls each(cell) for cellAt(begin) to cellAt(end - 1), those with few edges first. In this order the
+/// branches that end loops over edges are predicted, and cells of equal size can be handled in one vectorized
+/// batch.
+template <class CellAt, class Each>
+void forCellsBySize(const NeighborRows& cells, std::size_t begin, std::size_t end, const CellAt& cellAt,
+                    const Each& each) {
+  constexpr std::size_t most = 64;
+  const auto sizeOf = [&](std::uint32_t cell) {
+    return std::min<std::size_t>(cells.edges(cell).size(), most);
+  };
+  std::array<std::uint32_t, most + 2> next{};
+  for (auto k = begin; k < end; ++k) ++next[sizeOf(cellAt(k)) + 1];
+  for (std::size_t size = 0; size < most; ++size) next[size + 1] += next[size];
+  std::vector<std::uint32_t> order(end - begin);
+  for (auto k = begin; k < end; ++k) order[next[sizeOf(cellAt(k))]++] = cellAt(k);
+  for (const auto cell : order) each(cell);
 }
 
 }  // namespace vorpipe::core

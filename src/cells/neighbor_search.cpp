@@ -1,20 +1,64 @@
 #include "cells/neighbor_search.h"
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 #include <utility>
 
 #include "backend/collect.h"
+#include "base/inside.h"
 #include "base/parallel.h"
 #include "base/stopwatch.h"
 #include "base/try.h"
 #include "cells/answers.h"
 #include "cells/bisectors.h"
 #include "cells/hidden_cells.h"
-#include "cells/likely_empty.h"
 
 namespace vorpipe::core {
-
 namespace {
+
+/// The largest distance by which a bisector of a site with its next few sites, before or after it, lies
+/// behind the site.
+double depthOf(const SiteSet& sites, std::size_t i) {
+  constexpr std::size_t few = 2;
+  double deepest = -std::numeric_limits<double>::infinity();
+  const auto last = std::min(i + few, sites.size() - 1);
+  for (auto j = i > few ? i - few : 0; j <= last; ++j) {
+    if (j == i) continue;
+    const double dx = sites.x[j] - sites.x[i], dy = sites.y[j] - sites.y[i];
+    const double squared = dx * dx + dy * dy;
+    deepest = std::max(deepest, (sites.weight[j] - sites.weight[i] - squared) / std::sqrt(squared));
+  }
+  return deepest;
+}
+
+/// Sites that may have no cell, to be checked before all others: some hundred sites inside the domain,
+/// ascending; none without weights. Consecutive sites in the set are near each other. From each run of them,
+/// takes the site whose bisector with one of the next few sites lies farthest behind it.
+std::vector<std::uint32_t> likelyEmpty(const SiteSet& sites, int threads) {
+  constexpr std::size_t runs = 512;
+  if (sites.weight.empty()) return {};
+  const std::size_t length = (sites.size() + runs - 1) / runs;
+  std::vector<std::uint32_t> likely((sites.size() + length - 1) / length);
+  std::vector<double> depth(likely.size(), -std::numeric_limits<double>::infinity());
+  parallelFor(sites.size(), length, threadsForSteps(sites.size(), threads),
+              [&](std::size_t begin, std::size_t end) {
+                const auto run = begin / length;
+                for (auto i = begin; i < end; ++i) {
+                  if (!isInside(sites.domain, sites.x[i], sites.y[i])) continue;
+                  const double deep = depthOf(sites, i);
+                  if (!(deep > depth[run])) continue;
+                  depth[run] = deep;
+                  likely[run] = static_cast<std::uint32_t>(i);
+                }
+              });
+  std::size_t count = 0;
+  for (std::size_t run = 0; run < likely.size(); ++run) {
+    if (depth[run] > 0) likely[count++] = likely[run];
+  }
+  likely.resize(count);
+  return likely;
+}
 
 /// Whether sites were rounded to a lattice so coarse that some coincide. Floats decide ties cell by cell;
 /// where only some are ties, most of these decisions are disputed afterwards.
@@ -24,29 +68,8 @@ bool areSnapped(const SiteSet& sites) {
   return few * (given - sites.size()) > given;
 }
 
-}  // namespace
-
-Result<void> findAgain(const SearchInput& input, const std::vector<std::uint32_t>& which, Precision precision,
-                       NeighborRows& rows) {
-  std::uint64_t exact = 0;
-  auto found = input.judge.find(which, precision, input.threads, input.progress, exact);
-  if (!found) return tl::unexpected(found.error());
-  rows.add(which, std::move(*found));
-  proveEmpty(input.sites, which, input.threads, rows);
-  return {};
-}
-
-bool findAllInMesh(const SearchInput& input, NeighborRows& rows) {
-  const auto all = allOf(input.sites);
-  if (!input.judge.findAmong(all, input.threads, rows)) return false;
-  proveEmpty(input.sites, all, input.threads, rows);
-  return true;
-}
-
-namespace {
-
 /// Whether to end as soon as a site has no cell.
-enum class AtEmpty : std::uint8_t { go_on, end };
+enum class AtEmpty : std::uint8_t { ignore, end };
 
 /// Asks the device, and keeps the cells that it finds.
 class DeviceSearch {
@@ -59,25 +82,22 @@ class DeviceSearch {
 
   Result<void> byGrid(const Tile& tile, std::span<const std::uint32_t> which, Effort effort,
                       std::span<CellStatus> status) {
-    VORPIPE_TRY(lookAtLikely(tile));
+    VORPIPE_TRY(tryLikelyEmpty(tile));
     CellNeighbors found;
-    auto asked = askCells(input_.backend, tile.sites.size(), which, effort, input_.threads, found);
-    if (!asked) return asked;
+    VORPIPE_TRY(askCells(input_.backend, tile.sites.size(), which, effort, input_.threads, found));
     std::ranges::copy(found.status, status.begin());
-    if (tile.whole.empty()) {
-      VORPIPE_TRY(endIfEmpty(which, found));
-      rows_.add(which, std::move(found));
-      return {};
-    }
     std::vector<std::uint32_t> whole;
-    for (const auto site : which) whole.push_back(tile.whole[site]);
-    parallelFor(which.size(), grain, input_.threads, [&](std::size_t begin, std::size_t end) {
-      for (auto e = begin; e < end; ++e) {
-        renumber(found, e, [&](std::uint32_t site) { return tile.whole[site]; });
-      }
-    });
-    VORPIPE_TRY(endIfEmpty(whole, found));
-    rows_.add(whole, std::move(found));
+    if (!tile.whole.empty()) {
+      for (const auto site : which) whole.push_back(tile.whole[site]);
+      parallelFor(which.size(), grain, input_.threads, [&](std::size_t begin, std::size_t end) {
+        for (auto e = begin; e < end; ++e) {
+          renumber(found, e, [&](std::uint32_t site) { return tile.whole[site]; });
+        }
+      });
+      which = whole;
+    }
+    VORPIPE_TRY(endIfEmpty(which, found));
+    rows_.add(which, std::move(found));
     return {};
   }
 
@@ -104,14 +124,14 @@ class DeviceSearch {
 
   /// Tries likely empty cells before all others, if all sites are one tile: this finds a site without a cell
   /// early.
-  Result<void> lookAtLikely(const Tile& tile) {
-    if (!may_end_ || has_looked_ || !tile.whole.empty()) return {};
-    has_looked_ = true;
+  Result<void> tryLikelyEmpty(const Tile& tile) {
+    if (!may_end_ || has_tried_ || !tile.whole.empty()) return {};
+    has_tried_ = true;
     const auto likely = likelyEmpty(input_.sites, input_.threads);
     if (likely.empty()) return {};
     CellNeighbors found;
-    auto asked = askCells(input_.backend, tile.sites.size(), likely, Effort::fast, input_.threads, found);
-    return asked ? endIfEmpty(likely, found) : asked;
+    VORPIPE_TRY(askCells(input_.backend, tile.sites.size(), likely, Effort::fast, input_.threads, found));
+    return endIfEmpty(likely, found);
   }
 
   /// Error: the answers about `which` prove that one of them has no cell.
@@ -128,7 +148,7 @@ class DeviceSearch {
   }
 
   const SearchInput& input_;
-  bool may_end_, has_looked_ = false, ended_ = false;
+  bool may_end_, has_tried_ = false, ended_ = false;
   NeighborRows& rows_;
   CellBatch<double> batch_;
   double pack_seconds_ = 0;
@@ -140,12 +160,12 @@ Result<std::optional<NeighborRows>> findRows(const SearchInput& input, AtEmpty a
   CellLadder ladder(input, upload, 0);
   DeviceSearch device(input, at_empty, rows);
   if (input.sites.weight.empty() && areSnapped(input.sites)) ladder.choose({{}, allOf(input.sites)});
-  const auto left = ladder.climbDevice({[&](const Tile& tile, auto which, Effort effort, auto status) {
-                                          return device.byGrid(tile, which, effort, status);
-                                        },
-                                        [&](const Candidates& candidates, Effort, auto status) {
-                                          return device.byLists(candidates, status);
-                                        }});
+  const auto left = ladder.run({[&](const Tile& tile, auto which, Effort effort, auto status) {
+                                  return device.byGrid(tile, which, effort, status);
+                                },
+                                [&](const Candidates& candidates, Effort, auto status) {
+                                  return device.byLists(candidates, status);
+                                }});
   if (device.ended()) return std::nullopt;
   if (!left) return tl::unexpected(left.error());
   VORPIPE_TRY(ladder.findLeft(*left, rows));
@@ -161,8 +181,25 @@ Result<std::optional<NeighborRows>> findRows(const SearchInput& input, AtEmpty a
 
 }  // namespace
 
+Result<void> findAgain(const SearchInput& input, const std::vector<std::uint32_t>& which, Precision precision,
+                       NeighborRows& rows) {
+  std::uint64_t exact = 0;
+  auto found = input.judge.find(which, precision, input.threads, input.progress, exact);
+  if (!found) return tl::unexpected(found.error());
+  rows.add(which, std::move(*found));
+  proveEmpty(input.sites, which, input.threads, rows);
+  return {};
+}
+
+bool findAllInMesh(const SearchInput& input, NeighborRows& rows) {
+  const auto all = allOf(input.sites);
+  if (!input.judge.findAmong(all, input.threads, rows)) return false;
+  proveEmpty(input.sites, all, input.threads, rows);
+  return true;
+}
+
 Result<NeighborRows> findNeighbors(const SearchInput& input, Report& report) {
-  auto rows = findRows(input, AtEmpty::go_on, report);
+  auto rows = findRows(input, AtEmpty::ignore, report);
   if (!rows) return tl::unexpected(rows.error());
   return std::move(**rows);
 }

@@ -2,9 +2,12 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
+#include "base/parallel.h"
 #include "cells/cell_check.h"
+#include "cells/cell_record.h"
 
 namespace vorpipe::core {
 
@@ -31,7 +34,29 @@ struct TiedCells {
   [[nodiscard]] bool has(std::size_t cell_index) const {
     return !entry.empty() && entry[cell_index] != not_tied;
   }
+  /// By edge of tied cell k: the entries of `tie`, and of `vertex` where it begins.
+  [[nodiscard]] std::span<const std::uint8_t> ties(std::size_t k) const {
+    return std::span(tie).subspan(offsets[k], offsets[k + 1] - offsets[k]);
+  }
+  [[nodiscard]] std::span<const std::uint32_t> vertices(std::size_t k) const {
+    return std::span(vertex).subspan(offsets[k], offsets[k + 1] - offsets[k]);
+  }
+  /// The tied cells of a vertex.
+  [[nodiscard]] std::span<const std::uint32_t> cellsAt(std::size_t v) const {
+    return std::span(around).subspan(around_offsets[v], around_offsets[v + 1] - around_offsets[v]);
+  }
 };
+
+/// Tied cells per range of a parallel loop.
+inline constexpr std::size_t tied_grain = 1024;
+
+/// Calls work(k) for each tied cell k, on several threads, in ranges of tied_grain.
+template <class Work>
+void forTiedCells(const TiedCells& tied, int threads, const Work& work) {
+  parallelFor(tied.cell.size(), tied_grain, threads, [&](std::size_t begin, std::size_t end) {
+    for (auto k = begin; k < end; ++k) work(k);
+  });
+}
 
 /// Stores in `edges` the indices of those edges of tied cell k that are not ties, beginning with the smallest
 /// neighbor's. Corners that begin ties are omitted, so each vertex appears once, with the edge that it
@@ -43,5 +68,14 @@ void keptEdges(const ProposedCells& proposed, const TiedCells& tied, std::size_t
 inline const AnchoredPoint& tiedPosition(const TiedCells& tied, std::size_t k, std::size_t e) {
   return tied.position[tied.vertex[tied.offsets[k] + e]];
 }
+
+/// Measures a tied cell with its own corners, before ties join these: joining moves a vertex by up to a tie,
+/// which may be long relative to a thin cell.
+Measures recordMeasures(const SiteSet& sites, std::uint32_t cell, std::size_t edges,
+                        std::span<const AnchoredPoint> corners, const Records& records);
+
+/// Completes the records of the tied cells with the number of edges that ties leave. None of the cells is
+/// disputed.
+void recordTiedCells(const ProposedCells& proposed, const TiedCells& tied, const Records& records);
 
 }  // namespace vorpipe::core

@@ -11,18 +11,16 @@
 #include "base/disjoint_sets.h"
 #include "base/parallel.h"
 #include "base/refusal.h"
-#include "cells/collapsed_edges.h"
 #include "cells/hidden_cells.h"
-#include "cells/size_order.h"
-#include "cells/tied_records.h"
+#include "cells/neighbor_rows.h"
+#include "cells/tied_cells.h"
 #include "cells/tied_vertices.h"
 #include "cells/vertex_batch.h"
-#include "cells/wide_vertices.h"
 
 namespace vorpipe::core {
 namespace {
 
-constexpr std::size_t ties_grain = 1024, placed_grain = 4096;
+constexpr std::size_t placed_grain = 4096;
 /// Relative to a cell's size: a longer tie may hide an error of the cell in double. The sites are then far
 /// away, and their weight differences so large that cancellation spoils the corners.
 constexpr double much_of_a_cell = 1e-4;
@@ -54,7 +52,7 @@ class TieResolver {
     if (!tied_.disputed.empty()) return;
     makeVertices(proposed_, sets_, tied_);
     if (disputes_ == Disputes::are_listed) {
-      forEntries([&](std::size_t k) { findCollapsed(k); });
+      forTiedCells(tied_, proposed_.threads, [&](std::size_t k) { findCollapsed(k); });
       listDisputed();
       if (!tied_.disputed.empty()) return;
     }
@@ -65,8 +63,8 @@ class TieResolver {
   }
 
  private:
-  /// An edge as computed from one of its two cells.
-  struct Seen {
+  /// An edge, computed from one of its two cells.
+  struct ComputedEdge {
     AnchoredPoint begin, end;
     EdgeSpan span;
   };
@@ -88,7 +86,7 @@ class TieResolver {
     forCellsBySize(cells_, begin, end, cellAt, [&](std::uint32_t cell) {
       if (isRightlyEmpty(sites_, cells_, cell)) return;
       const auto row = cells_.edges(cell);
-      if (!isWellFormed(sites_, cells_, cell)) return dispute(static_cast<std::int32_t>(cell));
+      if (!isWellFormed(sites_, cells_, cell)) return dispute(cell);
       if (batch.add(cell, row, joinBatch) != CornerBatch::Added::other) return;
       placeCorners(sites_, cell, row, corners);
       join(cell, row, corners);
@@ -96,34 +94,17 @@ class TieResolver {
     joinBatch();
   }
 
-  template <class Work>
-  void forEntries(const Work& work) {
-    parallelFor(tied_.cell.size(), ties_grain, proposed_.threads, [&](std::size_t begin, std::size_t end) {
-      for (auto k = begin; k < end; ++k) work(k);
-    });
-  }
-
-  static std::size_t after(std::span<const std::int32_t> row, std::size_t e) {
-    return e + 1 < row.size() ? e + 1 : 0;
-  }
-  static std::size_t before(std::span<const std::int32_t> row, std::size_t e) {
-    return e > 0 ? e - 1 : row.size() - 1;
-  }
-
   [[nodiscard]] AnchoredPoint cornerOf(std::size_t cell, std::span<const std::int32_t> row,
                                        std::size_t e) const {
-    return cornerPosition(sites_, static_cast<std::int32_t>(cell), row[before(row, e)], row[e]);
+    return cornerPosition(sites_, static_cast<std::int32_t>(cell), row[edgeBefore(row, e)], row[e]);
   }
 
-  [[nodiscard]] Seen see(std::size_t cell, std::span<const std::int32_t> row, std::size_t e,
-                         const AnchoredPoint& begin, const AnchoredPoint& end) const {
+  [[nodiscard]] ComputedEdge computeEdge(std::size_t cell, std::span<const std::int32_t> row, std::size_t e,
+                                         const AnchoredPoint& begin, const AnchoredPoint& end) const {
     return {begin, end,
-            edgeSpan(sites_, static_cast<std::int32_t>(cell), row[before(row, e)], row[e], row[after(row, e)],
-                     begin, end, fineness_.shortestEdge(cell, row[e]))};
+            edgeSpan(sites_, static_cast<std::int32_t>(cell), row[edgeBefore(row, e)], row[e],
+                     row[edgeAfter(row, e)], begin, end, fineness_.shortestEdge(cell, row[e]))};
   }
-
-  /// Whether a cell is so flat that only exact arithmetic decides whether it has an area.
-  static bool isFlat(const Measures& m) { return !(m.area > 1e-6 * m.perimeter * m.perimeter); }
 
   /// A value between half the diameter of the corners and the diameter.
   static double sizeOf(std::span<const AnchoredPoint> corners) {
@@ -133,22 +114,17 @@ class TieResolver {
     return size;
   }
 
-  /// Marks a tied cell.
   void mark(std::int32_t cell, std::vector<std::uint8_t>& marks) {
     if (cell < 0) return;
     const auto k = tied_.entry[static_cast<std::size_t>(cell)];
     if (k != TiedCells::not_tied) std::atomic_ref(marks[k]).store(1, std::memory_order_relaxed);
   }
-  void dispute(std::int32_t cell) { mark(cell, disputed_); }
+  void dispute(std::size_t cell) { mark(static_cast<std::int32_t>(cell), disputed_); }
 
-  /// Marks all cells that meet at edge e.
   void markAround(std::size_t cell, std::span<const std::int32_t> row, std::size_t e,
                   std::vector<std::uint8_t>& marks) {
     mark(static_cast<std::int32_t>(cell), marks);
-    for (const auto other : {before(row, e), e, after(row, e)}) mark(row[other], marks);
-  }
-  void disputeAround(std::size_t cell, std::span<const std::int32_t> row, std::size_t e) {
-    markAround(cell, row, e, disputed_);
+    for (const auto other : {edgeBefore(row, e), e, edgeAfter(row, e)}) mark(row[other], marks);
   }
 
   /// Whether two cells name different neighbors at an end of their edge, one of them a wall.
@@ -159,17 +135,18 @@ class TieResolver {
   void join(std::uint32_t cell, std::span<const std::int32_t> row, std::span<const AnchoredPoint> corners) {
     const auto k = tied_.entry[cell];
     const auto m = recordMeasures(sites_, cell, row.size(), corners, records_);
-    const bool may_be_none = !sites_.weight.empty() && disputes_ == Disputes::are_listed && isFlat(m);
-    if (may_be_none && leaveNothing(sites_, cell, row)) return dispute(static_cast<std::int32_t>(cell));
+    const bool may_be_none =
+        !sites_.weight.empty() && disputes_ == Disputes::are_listed && isFlat(m.area, m.perimeter);
+    if (may_be_none && leaveNothing(sites_, cell, row)) return dispute(cell);
     const double much = much_of_a_cell * sizeOf(corners);
     for (std::size_t e = 0; e < row.size(); ++e) {
-      if (isLong(cell, row[e], corners[e], corners[after(row, e)]) && joinAlike(k, row, e)) continue;
-      const auto here = see(cell, row, e, corners[e], corners[after(row, e)]);
+      if (isLong(cell, row[e], corners[e], corners[edgeAfter(row, e)]) && joinAlike(k, row, e)) continue;
+      const auto here = computeEdge(cell, row, e, corners[e], corners[edgeAfter(row, e)]);
       if (here.span.isTie() && here.span.slack > much) markAround(cell, row, e, unsure_);
       if (here.span.is_coarse && here.span.isAboutATie()) markAround(cell, row, e, unsure_);
       // Near the point where two cells meet at a wall, rounding decides whether a third reaches the wall.
       if (row[e] < 0 && here.span.isTie()) markAround(cell, row, e, unsure_);
-      if (here.span.isTurned() && disputes_ == Disputes::are_listed) disputeAround(cell, row, e);
+      if (here.span.isTurned() && disputes_ == Disputes::are_listed) markAround(cell, row, e, disputed_);
       if (row[e] < 0) {
         settle(k, row, e, here.span.isTie());
       } else {
@@ -195,16 +172,16 @@ class TieResolver {
     const auto other_row = cells_.edges(other);
     const auto back = proposed_.index.find(other_row, other, static_cast<std::int32_t>(cell));
     if (back == EdgeIndex::none) return false;
-    const auto back_end = after(other_row, back);
-    if (other_row[back_end] != row[before(row, e)] ||
-        other_row[before(other_row, back)] != row[after(row, e)]) {
+    const auto back_end = edgeAfter(other_row, back);
+    if (other_row[back_end] != row[edgeBefore(row, e)] ||
+        other_row[edgeBefore(other_row, back)] != row[edgeAfter(row, e)]) {
       return false;
     }
     settle(k, row, e, false);
     const auto other_k = tied_.entry[other];
     if (other_k == TiedCells::not_tied || other < cell) return true;
     sets_.join(cornerNumber(k, e), cornerNumber(other_k, back_end));
-    sets_.join(cornerNumber(k, after(row, e)), cornerNumber(other_k, back));
+    sets_.join(cornerNumber(k, edgeAfter(row, e)), cornerNumber(other_k, back));
     return true;
   }
 
@@ -214,11 +191,12 @@ class TieResolver {
     if (isRightlyEmpty(sites_, cells_, cell)) return;
     const auto row = cells_.edges(cell);
     for (std::size_t e = 0; e < row.size(); ++e) {
-      const auto begin = tied_.offsets[k] + e, end = tied_.offsets[k] + after(row, e);
+      const auto begin = tied_.offsets[k] + e, end = tied_.offsets[k] + edgeAfter(row, e);
       if (tied_.tie[begin] != 0 || tied_.vertex[begin] != tied_.vertex[end]) continue;
-      const auto here = see(cell, row, e, cornerOf(cell, row, e), cornerOf(cell, row, after(row, e)));
+      const auto here =
+          computeEdge(cell, row, e, cornerOf(cell, row, e), cornerOf(cell, row, edgeAfter(row, e)));
       const double length = lengthOf(wayBetween(here.begin, here.end));
-      if (length > collapsed_ties * here.span.slack) disputeAround(cell, row, e);
+      if (length > collapsed_ties * here.span.slack) markAround(cell, row, e, disputed_);
     }
   }
 
@@ -237,7 +215,7 @@ class TieResolver {
 
   /// Joins the ends of an edge in both cells; a cell that is not tied has no ties to pass on. If the cells
   /// name different sites at the ends, the lower one compares both computed edges.
-  void joinAcross(std::size_t k, std::span<const std::int32_t> row, std::size_t e, const Seen& here) {
+  void joinAcross(std::size_t k, std::span<const std::int32_t> row, std::size_t e, const ComputedEdge& here) {
     const auto cell = tied_.cell[k];
     const auto other = static_cast<std::size_t>(row[e]);
     const auto other_row = cells_.edges(other);
@@ -247,9 +225,9 @@ class TieResolver {
       if (here.span.isAboutATie()) markAround(cell, row, e, unsure_);
       return settle(k, row, e, true);
     }
-    const auto back_end = after(other_row, back);
-    const auto there_first = other_row[back_end], there_last = other_row[before(other_row, back)];
-    const auto first = row[before(row, e)], last = row[after(row, e)];
+    const auto back_end = edgeAfter(other_row, back);
+    const auto there_first = other_row[back_end], there_last = other_row[edgeBefore(other_row, back)];
+    const auto first = row[edgeBefore(row, e)], last = row[edgeAfter(row, e)];
     const bool alike = there_first == first && there_last == last;
     if (alike) settle(k, row, e, here.span.isTie());
     const auto other_k = tied_.entry[other];
@@ -260,10 +238,10 @@ class TieResolver {
     // A cell that is not tied has passed its check, and so has this edge.
     if (other_k == TiedCells::not_tied || other < cell) return;
     sets_.join(cornerNumber(k, e), cornerNumber(other_k, back_end));
-    sets_.join(cornerNumber(k, after(row, e)), cornerNumber(other_k, back));
+    sets_.join(cornerNumber(k, edgeAfter(row, e)), cornerNumber(other_k, back));
     if (alike || !isWellFormed(sites_, cells_, other)) return;
-    const Seen there =
-        see(other, other_row, back, cornerOf(other, other_row, back), cornerOf(other, other_row, back_end));
+    const ComputedEdge there = computeEdge(other, other_row, back, cornerOf(other, other_row, back),
+                                           cornerOf(other, other_row, back_end));
     if (here.span.isAboutATie() || there.span.isAboutATie() || here.span.is_coarse || areApart(here, there)) {
       markAround(cell, row, e, unsure_);
       markAround(other, other_row, back, unsure_);
@@ -275,7 +253,7 @@ class TieResolver {
 
   /// Whether the ends of an edge, computed from its two cells, are so far apart that an edge longer than a
   /// tie may fit between them, which both cells lack.
-  static bool areApart(const Seen& here, const Seen& there) {
+  static bool areApart(const ComputedEdge& here, const ComputedEdge& there) {
     constexpr double share = 0.01;
     const double apart =
         std::max(lengthOf(wayBetween(here.begin, there.end)), lengthOf(wayBetween(here.end, there.begin)));
@@ -285,27 +263,23 @@ class TieResolver {
   void settle(std::size_t k, std::span<const std::int32_t> row, std::size_t e, bool tie) {
     const auto corner = cornerNumber(k, e);
     tied_.tie[corner] = tie ? 1 : 0;
-    if (tie) sets_.join(corner, cornerNumber(k, after(row, e)));
+    if (tie) sets_.join(corner, cornerNumber(k, edgeAfter(row, e)));
   }
 
-  /// Marks both cells of an edge about which they disagree.
   void disputeBoth(std::size_t cell, std::int32_t neighbor) {
     if (disputes_ == Disputes::are_ties) return;
-    dispute(static_cast<std::int32_t>(cell));
-    dispute(neighbor);
+    dispute(cell);
+    mark(neighbor, disputed_);
   }
 
   /// Whether an edge, whose cells name different sites at its ends, is a tie. Disputes it if the cells
   /// disagree about that, or if it is not a tie and its ends differ by more than the slack.
-  bool compare(std::size_t cell, std::int32_t neighbor, const Seen& here, const Seen& there) {
+  bool compare(std::size_t cell, std::int32_t neighbor, const ComputedEdge& here, const ComputedEdge& there) {
     if (here.span.isTie() != there.span.isTie()) disputeBoth(cell, neighbor);
     if (here.span.isTie() || there.span.isTie()) return true;
-    const auto apart = [](const AnchoredPoint& a, const AnchoredPoint& b) {
-      const Point way = wayBetween(a, b);
-      return lengthOf(way);
-    };
     const double slack = here.span.slack;
-    const bool alike = apart(here.begin, there.end) <= slack && apart(here.end, there.begin) <= slack;
+    const bool alike = lengthOf(wayBetween(here.begin, there.end)) <= slack &&
+                       lengthOf(wayBetween(here.end, there.begin)) <= slack;
     if (!alike) disputeBoth(cell, neighbor);
     return false;
   }

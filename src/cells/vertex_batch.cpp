@@ -43,7 +43,6 @@ void CornerBatch::addWeights(std::size_t k) {
   }
 }
 
-/// Inlined into each version of place().
 template <bool weighted>
 [[gnu::always_inline]] inline void CornerBatch::placeAll() {
   for (std::size_t k = 0; k < cells_; ++k) all_sure_[k] = 1;
@@ -133,7 +132,6 @@ void CornerBatch::takeOrigins() {
   }
 }
 
-/// Inlined into measure() and measureSpread().
 template <bool spread>
 [[gnu::always_inline]] inline void CornerBatch::measureAll(const ByCell& x, const ByCell& y) {
   for (std::size_t k = 0; k < cells_; ++k) {

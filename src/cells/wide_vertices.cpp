@@ -1,4 +1,4 @@
-#include "cells/wide_vertices.h"
+#include "cells/tied_vertices.h"
 
 #include <algorithm>
 #include <atomic>
@@ -11,7 +11,6 @@
 namespace vorpipe::core {
 namespace {
 
-constexpr std::size_t wide_vertices_grain = 1024;
 /// A vertex with fewer ties is not wide. A tie counts twice, even if one of its two cells lacks it: which
 /// cells have an edge of almost zero length depends on the backend.
 constexpr std::uint32_t fewest_ties = 6, fewest_with_images = 4;
@@ -34,7 +33,7 @@ class VertexWidths {
         ties_(tied.position.size()) {}
 
   WideVertices run() {
-    forEntries([&](std::size_t k) {
+    forTiedCells(tied_, proposed_.threads, [&](std::size_t k) {
       const auto cell = tied_.cell[k];
       const auto row = proposed_.cells.edges(cell);
       for (std::size_t e = 0; e < row.size(); ++e) {
@@ -54,14 +53,6 @@ class VertexWidths {
   }
 
  private:
-  template <class Work>
-  void forEntries(const Work& work) {
-    parallelFor(tied_.cell.size(), wide_vertices_grain, proposed_.threads,
-                [&](std::size_t begin, std::size_t end) {
-                  for (auto k = begin; k < end; ++k) work(k);
-                });
-  }
-
   [[nodiscard]] bool isOfThisCellAlone(std::uint32_t cell, std::int32_t neighbor) const {
     if (neighbor < 0) return false;
     const auto other = static_cast<std::size_t>(neighbor);
@@ -87,8 +78,8 @@ class VertexWidths {
     for (std::size_t e = 0; e < row.size(); ++e) {
       if (!hasMany(first + e)) continue;
       const auto vertex = tied_.vertex[first + e];
-      const AnchoredPoint corner = cornerPosition(sites_, static_cast<std::int32_t>(cell),
-                                                  row[e > 0 ? e - 1 : row.size() - 1], row[e]);
+      const AnchoredPoint corner =
+          cornerPosition(sites_, static_cast<std::int32_t>(cell), row[edgeBefore(row, e)], row[e]);
       const double off = lengthOf(wayBetween(tied_.position[vertex], corner)) - rounding;
       const double whole = std::min(std::max(reach, lengthOf(relativeTo(site, corner))), most);
       if (off > 0) width_[vertex] = std::max(width_[vertex], off / whole);
@@ -122,12 +113,11 @@ class VertexWidths {
     std::vector<std::uint32_t> cells;
     for (std::size_t v = 0; v < width_.size(); ++v) {
       if (!(width_[v] > most)) continue;
-      for (auto at = tied_.around_offsets[v]; at < tied_.around_offsets[v + 1]; ++at) {
-        if (fineness_.of(tied_.around[at]) < Fineness::finest) cells.push_back(tied_.around[at]);
+      for (const auto cell : tied_.cellsAt(v)) {
+        if (fineness_.of(cell) < Fineness::finest) cells.push_back(cell);
       }
     }
-    std::sort(cells.begin(), cells.end());
-    cells.erase(std::unique(cells.begin(), cells.end()), cells.end());
+    sortWithoutRepeats(cells);
     return cells;
   }
 

@@ -8,7 +8,6 @@
 #include <utility>
 #include <vector>
 
-#include "check/cell_rings.h"
 #include "check/outline.h"
 #include "check/places.h"
 #include "geometry/wall_predicates.h"
@@ -261,10 +260,7 @@ class Border {
   }
 
   [[nodiscard]] std::string said(std::size_t side, double from, double to, std::string_view who) const {
-    const auto at = [&](double along) {
-      const Point p = placeAlong(edge(side), along);
-      return fmt::format("({}, {})", p.x / run_.scale, p.y / run_.scale);
-    };
+    const auto at = [&](double along) { return run_.text(placeAlong(edge(side), along)); };
     return fmt::format("{} the part from {} to {}", who, at(from), at(to));
   }
 
@@ -278,7 +274,7 @@ class Border {
 }  // namespace
 
 void checkBorder(const CheckedCells& run, const CheckedOutline& outline, Broken& broken) {
-  broken.expect("edges", run.size(), run.threads, [&](std::size_t i) { return wrongAlong(run, outline, i); });
+  broken.expectEach("edges", run, [&](std::size_t i) { return wrongAlong(run, outline, i); });
   const Border border(run, outline);
   broken.expect("outline", border.sides(), run.threads, [&](std::size_t side) { return border.wrong(side); });
 }

@@ -1,10 +1,14 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <array>
+#include <bit>
 #include <future>
 #include <new>
+#include <span>
 
 #include "check/outline.h"
+#include "check/places.h"
 
 namespace vorpipe::core::checks {
 namespace {
@@ -13,6 +17,48 @@ namespace {
 constexpr double area_sum_slack = 1e-12;
 /// The same with an outline, where rounding of the domain's coordinates dominates.
 constexpr double clipped_sum_slack = 1e-9;
+
+/// The position of site i, equal for sites that the period makes equal.
+Point positionOf(const CheckedSites& run, std::size_t i) {
+  const auto placed = [&](double at) { return countedCoordinate(at * run.scale) == 0 ? 0 : at; };
+  Point p{placed(run.sites.x[i]), placed(run.sites.y[i])};
+  const auto& [low, high] = run.corners;
+  if (run.repeats_x && p.x == high.x) p.x = low.x;
+  if (run.repeats_y && p.y == high.y) p.y = low.y;
+  return p;
+}
+
+std::size_t hash(Point p) {
+  const PlaceKey key(p);
+  std::uint64_t bits = (key.x ^ std::rotl(key.y, 32)) * 0x9E3779B97F4A7C15u;
+  bits ^= bits >> 32;
+  bits *= 0xD6E8FEB86659FD93u;
+  return bits ^ bits >> 32;
+}
+
+/// For each site, the owner of its position: the heaviest, then the first. In a periodic domain scaled
+/// weights are compared, which rounds those below 1e-308.
+std::vector<std::uint32_t> ownersOfPositions(const CheckedSites& run) {
+  std::vector<std::uint32_t> slots(std::bit_ceil(2 * run.size() + 1), no_site), first(run.size());
+  const std::size_t mask = slots.size() - 1;
+  for (std::uint32_t i = 0; i < run.size(); ++i) {
+    std::size_t slot = hash(positionOf(run, i)) & mask;
+    while (slots[slot] != no_site && !(positionOf(run, slots[slot]) == positionOf(run, i)))
+      slot = (slot + 1) & mask;
+    if (slots[slot] == no_site) slots[slot] = i;
+    first[i] = slots[slot];
+  }
+  if (!run.weighted) return first;
+  const double scale = run.repeats() ? run.scale : 1;
+  const auto weight = [&](std::uint32_t i) { return run.sites.weight[i] * scale * scale; };
+  std::vector<std::uint32_t> heaviest = first;
+  for (std::uint32_t i = 0; i < run.size(); ++i) {
+    auto& best = heaviest[first[i]];
+    if (weight(i) > weight(best)) best = i;
+  }
+  for (auto& owner : first) owner = heaviest[owner];
+  return first;
+}
 
 bool isWall(const CheckedCells& run, std::int64_t neighbor) {
   if (neighbor == wall_outline) return run.outline != nullptr;
@@ -101,6 +147,42 @@ std::vector<std::string> brokenBy(const CheckedCells& run) {
 
 }  // namespace
 
+bool checkOutcome(const CheckedSites& run, const Outcome& outcome, Broken& broken) {
+  // No structured binding, which lambdas of Clang before 16 cannot capture.
+  const std::span<const Status> status = outcome.status;
+  const std::span<const std::uint32_t> owner = outcome.owner;
+  const Report& report = outcome.report;
+  if (status.size() != run.size() || owner.size() != run.size()) {
+    broken.add("statuses", fmt::format("{} sites have {} statuses and {} owners", run.size(), status.size(),
+                                       owner.size()));
+    return false;
+  }
+  const auto owners = ownersOfPositions(run);
+  const bool owned = broken.expectEach("owners", run, [&](std::size_t i) {
+    return owner[i] == owners[i]
+               ? std::string()
+               : fmt::format("site {} is owned by site {}, but site {} has its position first", i, owner[i],
+                             owners[i]);
+  });
+  broken.expectEach("statuses", run, [&](std::size_t i) -> std::string {
+    const bool duplicate = status[i] == Status::duplicate;
+    if (status[i] > Status::duplicate) return fmt::format("site {} has none that is known", i);
+    if (duplicate != (owners[i] != i)) {
+      return fmt::format("site {} is {}a duplicate", i, duplicate ? "" : "not ");
+    }
+    const bool may_be_empty = run.weighted || run.outline != nullptr || !run.inDomain(run.site(i));
+    if (status[i] != Status::empty || may_be_empty) return {};
+    return fmt::format("site {} lies in the domain and cannot be empty", i);
+  });
+  std::array<std::uint64_t, 4> counts{};
+  for (const Status each : status) ++counts[std::min<std::size_t>(static_cast<std::size_t>(each), 3)];
+  if (counts != std::array<std::uint64_t, 4>{report.ok, report.empty, report.duplicate, 0}) {
+    broken.add("statuses", fmt::format("{} ok, {} empty, {} duplicate; the report says {}, {}, {}", counts[0],
+                                       counts[1], counts[2], report.ok, report.empty, report.duplicate));
+  }
+  return owned;
+}
+
 bool checkArrays(const CheckedCells& run, Broken& broken) {
   const Diagram& d = run.diagram;
   const auto has = [&](std::string_view name, std::size_t size, std::size_t wanted) {
@@ -124,12 +206,11 @@ bool checkArrays(const CheckedCells& run, Broken& broken) {
           has("mass_centroid", d.mass_centroid.size(), d.mass.size()) &&
           (!polygons || (has("vertices", d.vertices.size(), entries) &&
                          has("edge_lengths", d.edge_lengths.size(), entries)));
-  return right && broken.expect("neighbors", run.size(), run.threads,
-                                [&](std::size_t i) { return wrongNeighbor(run, i); });
+  return right && broken.expectEach("neighbors", run, [&](std::size_t i) { return wrongNeighbor(run, i); });
 }
 
 void checkMeasures(const CheckedCells& run, double domain, double slack, Broken& broken) {
-  broken.expect("cells", run.size(), run.threads, [&](std::size_t i) { return wrongBesideCell(run, i); });
+  broken.expectEach("cells", run, [&](std::size_t i) { return wrongBesideCell(run, i); });
   const double sum = areaSum(run.diagram);
   if (std::abs(sum - domain) <= slack * domain) return;
   broken.add("areas", fmt::format("they add up to {}, the domain has {} ({:.1e} of it more)", sum, domain,
@@ -143,9 +224,10 @@ namespace vorpipe {
 Result<std::vector<std::string>> check(const Sites& sites, const CellsOptions& options,
                                        const Diagram& diagram, int threads) {
   try {
-    const auto inside = core::checks::insideOf(sites, options.domain, options.periodic, threads);
+    const auto inside = core::checks::wrappedIfPeriodic(sites, options.domain, options.periodic, threads);
     if (!inside) return tl::unexpected(inside.error());
-    return core::checks::brokenBy(core::checks::CheckedCells(inside->of(sites), options, diagram, threads));
+    return core::checks::brokenBy(
+        core::checks::CheckedCells(*inside ? **inside : sites, options, diagram, threads));
   } catch (const std::bad_alloc&) {
     return tl::unexpected(Error{ErrorCode::device, "there is not enough memory to check the cells"});
   }

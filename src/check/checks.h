@@ -5,7 +5,6 @@
 #include <span>
 #include <vector>
 
-#include "check/images.h"
 #include "check/nearest_site.h"
 #include "check/places.h"
 #include "check/run.h"

@@ -1,12 +1,14 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <iterator>
 #include <limits>
+#include <numeric>
+#include <utility>
 
-#include "check/cell_rings.h"
+#include "base/parallel.h"
 #include "check/outline.h"
 #include "check/places.h"
-#include "check/sorted_edges.h"
 
 namespace vorpipe::core::checks {
 namespace {
@@ -23,9 +25,7 @@ double movedByTies(const CheckedCells& run, const CellRings& rings, std::size_t 
     if (neighbor < 0) return;
     moved += 2 * at_vertex;
     const auto j = static_cast<std::size_t>(neighbor);
-    const auto beyond = [&](Point p) {
-      return std::abs(beyondBisector(run.way(i, j), run.site(i), run.weightDifference(i, j), p));
-    };
+    const auto beyond = [&](Point p) { return std::abs(run.beyond(i, j, p)); };
     moved += std::max(beyond(a), beyond(b)) * length(b - a);
   });
   return moved;
@@ -91,9 +91,7 @@ std::string wrongEdges(const CheckedCells& run, std::size_t i, double reach) {
     const std::int64_t neighbor = run.diagram.neighbors[e];
     const auto j = static_cast<std::size_t>(neighbor);
     const double slack = run.ties(reach) + run.rounding(i) + (neighbor < 0 ? 0 : run.rounding(j));
-    const auto beyond = [&](Point p) {
-      return std::abs(beyondBisector(run.way(i, j), run.site(i), run.weightDifference(i, j), p));
-    };
+    const auto beyond = [&](Point p) { return std::abs(run.beyond(i, j, p)); };
     // checkBorder() covers edges of the outline.
     const bool right =
         neighbor == wall_outline || (neighbor < 0 ? isOnWall(run, neighbor, a) && isOnWall(run, neighbor, b)
@@ -112,6 +110,70 @@ bool isCut(const CheckedCells& run, const CheckedOutline& outline, std::size_t i
   }
   return false;
 }
+
+/// The edges of each cell, searchable by neighbor and ends. A hub has an edge with each of its many
+/// neighbors, and with an outline of many narrow parts two cells may share thousands of edges. Searching them
+/// linearly for each edge would take quadratic time.
+class SortedEdges {
+ public:
+  explicit SortedEdges(const CheckedCells& run) : run_(run), edges_(run.diagram.neighbors.size()) {
+    constexpr std::size_t grain = 4096;
+    const bool placed = run.detail != Detail::measures;
+    parallelFor(run.size(), grain, run.threads, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t i = begin; i < end; ++i) {
+        const auto edges = std::span(edges_).subspan(run.begin(i), run.edges(i));
+        std::iota(edges.begin(), edges.end(), 0U);
+        if (placed) {
+          std::ranges::sort(edges, {},
+                            [&](std::uint32_t k) { return std::pair(neighbor(i, k), PlaceKey(from(i, k))); });
+        } else {
+          std::ranges::sort(edges, {}, [&](std::uint32_t k) { return neighbor(i, k); });
+        }
+      }
+    });
+  }
+
+  /// Whether cell i has an edge with site j.
+  [[nodiscard]] bool has(std::size_t i, std::size_t j) const {
+    const auto site = static_cast<std::int64_t>(j);
+    const auto neighbor_of = [&](std::uint32_t k) { return neighbor(i, k); };
+    const auto edges = edgesOf(i);
+    const auto first = std::ranges::lower_bound(edges, site, {}, neighbor_of);
+    return first != edges.end() && neighbor_of(*first) == site;
+  }
+  /// The same for an edge from a to b, in a diagram with valid polygons and rings.
+  [[nodiscard]] bool has(std::size_t i, std::size_t j, Point a, Point b) const {
+    const std::pair wanted(static_cast<std::int64_t>(j), PlaceKey(a));
+    const auto place_of = [&](std::uint32_t k) { return std::pair(neighbor(i, k), PlaceKey(from(i, k))); };
+    const auto edges = edgesOf(i);
+    for (auto k = std::ranges::lower_bound(edges, wanted, {}, place_of);
+         k != edges.end() && place_of(*k) == wanted; ++k) {
+      if (to(i, *k) == b) return true;
+    }
+    return false;
+  }
+
+ private:
+  [[nodiscard]] std::int64_t neighbor(std::size_t i, std::uint32_t k) const {
+    return run_.diagram.neighbors[run_.begin(i) + k];
+  }
+  /// The start of edge k of cell i.
+  [[nodiscard]] Point from(std::size_t i, std::uint32_t k) const { return run_.vertex(run_.begin(i) + k); }
+  /// Its end, in its ring.
+  [[nodiscard]] Point to(std::size_t i, std::uint32_t k) const {
+    const auto& starts = run_.diagram.ring_starts;
+    const std::uint64_t edge = run_.begin(i) + k;
+    const auto next_ring = std::ranges::upper_bound(starts, edge);
+    const std::uint64_t end = next_ring != starts.end() ? *next_ring : run_.diagram.neighbors.size();
+    return run_.vertex(edge + 1 < end ? edge + 1 : *std::prev(next_ring));
+  }
+  [[nodiscard]] std::span<const std::uint32_t> edgesOf(std::size_t i) const {
+    return std::span(edges_).subspan(run_.begin(i), run_.edges(i));
+  }
+
+  const CheckedCells& run_;
+  std::vector<std::uint32_t> edges_;  ///< of each cell, sorted by neighbor and start
+};
 
 std::string wrongTwin(const CheckedCells& run, const SortedEdges& edges, std::size_t i) {
   std::string wrong;
@@ -146,9 +208,8 @@ std::string wrongInCell(const CheckedCells& run, const CheckedOutline& outline, 
     const auto side = outline.at(p, slack);
     if (away <= slack || side == CheckedOutline::Side::edge) return {};
     if (inside == (side == CheckedOutline::Side::inside)) return {};
-    return fmt::format("({}, {}) lies {} the outline, but {} in the cell of its nearest site {}",
-                       p.x / run.scale, p.y / run.scale, inside ? "outside" : "inside", inside ? "" : "not ",
-                       owner);
+    return fmt::format("{} lies {} the outline, but {} in the cell of its nearest site {}", run.text(p),
+                       inside ? "outside" : "inside", inside ? "" : "not ", owner);
   });
 }
 
@@ -168,7 +229,7 @@ bool haveRings(const CheckedCells& run, const CheckedOutline& outline, Broken& b
     broken.add("rings", "ring_starts do not ascend");
     return false;
   }
-  return broken.expect("rings", run.size(), run.threads, [&](std::size_t i) {
+  return broken.expectEach("rings", run, [&](std::size_t i) {
     return run.wrongAtAnyReach(i, [&](double reach) { return wrongRings(run, outline, i, reach); });
   });
 }
@@ -177,20 +238,17 @@ bool haveRings(const CheckedCells& run, const CheckedOutline& outline, Broken& b
 
 void checkClipped(const CheckedCells& run, const CheckedOutline& outline, const NearestSite& nearest,
                   Broken& broken) {
-  const auto each = [&](std::string_view promise, const auto& test) {
-    return broken.expect(promise, run.size(), run.threads, test);
-  };
   const SortedEdges edges(run);
   if (run.detail == Detail::measures || !haveRings(run, outline, broken)) {
-    each("neighbors", [&](std::size_t i) { return oneSided(run, edges, i); });
+    broken.expectEach("neighbors", run, [&](std::size_t i) { return oneSided(run, edges, i); });
     return;
   }
-  each("edges", [&](std::size_t i) {
+  broken.expectEach("edges", run, [&](std::size_t i) {
     const auto wrong = run.wrongAtAnyReach(i, [&](double reach) { return wrongEdges(run, i, reach); });
     return wrong.empty() || !isCut(run, outline, i) ? wrong : wrongEdges(run, i, run.shorter_side);
   });
-  each("rings", [&](std::size_t i) { return wrongShape(run, outline, i); });
-  each("neighbors", [&](std::size_t i) { return wrongTwin(run, edges, i); });
+  broken.expectEach("rings", run, [&](std::size_t i) { return wrongShape(run, outline, i); });
+  broken.expectEach("neighbors", run, [&](std::size_t i) { return wrongTwin(run, edges, i); });
   checkBorder(run, outline, broken);
   Random random(1);
   checkNearestInCells(run, nearest, random, broken);

@@ -138,39 +138,6 @@ std::string wrongTwin(const CheckedCells& run, const Twins& twins, std::size_t i
   return {};
 }
 
-}  // namespace
-
-Twins findTwins(const CheckedCells& run) {
-  const Diagram& d = run.diagram;
-  Twins twins(d.neighbors.size(), no_twin);
-  // In each pair the cell with more edges searches the list of the other, so a cell with 100,000 neighbors is
-  // not searched by each of them. Each entry is thus written for one pair only.
-  parallelFor(run.size(), edges_grain, run.threads, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t i = begin; i < end; ++i) {
-      for (std::size_t e = run.begin(i); e < run.end(i); ++e) {
-        const auto j = static_cast<std::size_t>(d.neighbors[e]);
-        if (d.neighbors[e] < 0 || std::pair(run.edges(j), j) > std::pair(run.edges(i), i)) continue;
-        const Shift opposite{-run.shift(e)[0], -run.shift(e)[1]};
-        std::size_t back = run.begin(j), found = 0;
-        for (std::size_t k = run.begin(j); k < run.end(j); ++k) {
-          if (d.neighbors[k] != static_cast<std::int64_t>(i) || run.shift(k) != opposite) continue;
-          back = k;
-          ++found;
-        }
-        if (found != 1 || twins[back] != no_twin) continue;
-        twins[e] = static_cast<std::uint32_t>(back - run.begin(j));
-        twins[back] = static_cast<std::uint32_t>(e - run.begin(i));
-      }
-    }
-  });
-  return twins;
-}
-
-bool checkSymmetry(const CheckedCells& run, const Twins& twins, Broken& broken) {
-  return broken.expect("symmetry", run.size(), run.threads,
-                       [&](std::size_t i) { return wrongTwin(run, twins, i); });
-}
-
 /// Whether ties extend across a domain that repeats, beside cell i: two consecutive edges are opposite walls,
 /// or its own opposite images.
 bool isPinched(const CheckedCells& run, std::size_t i) {
@@ -207,6 +174,38 @@ std::size_t countParts(const CheckedCells& run) {
     }
   }
   return parts;
+}
+
+}  // namespace
+
+Twins findTwins(const CheckedCells& run) {
+  const Diagram& d = run.diagram;
+  Twins twins(d.neighbors.size(), no_twin);
+  // In each pair the cell with more edges searches the list of the other, so a cell with 100,000 neighbors is
+  // not searched by each of them. Each entry is thus written for one pair only.
+  parallelFor(run.size(), edges_grain, run.threads, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) {
+      for (std::size_t e = run.begin(i); e < run.end(i); ++e) {
+        const auto j = static_cast<std::size_t>(d.neighbors[e]);
+        if (d.neighbors[e] < 0 || std::pair(run.edges(j), j) > std::pair(run.edges(i), i)) continue;
+        const Shift opposite{-run.shift(e)[0], -run.shift(e)[1]};
+        std::size_t back = run.begin(j), found = 0;
+        for (std::size_t k = run.begin(j); k < run.end(j); ++k) {
+          if (d.neighbors[k] != static_cast<std::int64_t>(i) || run.shift(k) != opposite) continue;
+          back = k;
+          ++found;
+        }
+        if (found != 1 || twins[back] != no_twin) continue;
+        twins[e] = static_cast<std::uint32_t>(back - run.begin(j));
+        twins[back] = static_cast<std::uint32_t>(e - run.begin(i));
+      }
+    }
+  });
+  return twins;
+}
+
+bool checkSymmetry(const CheckedCells& run, const Twins& twins, Broken& broken) {
+  return broken.expectEach("symmetry", run, [&](std::size_t i) { return wrongTwin(run, twins, i); });
 }
 
 void checkPartition(const CheckedCells& run, const Twins& twins, Broken& broken) {

@@ -58,31 +58,31 @@ class NearestOfPlaces {
     const auto equal = [](Point p, Point q) { return PlaceKey(p) == PlaceKey(q); };
     places.erase(std::unique(places.begin(), places.end(), equal), places.end());
     std::erase_if(places,
-                  [&](Point p) { return std::ranges::binary_search(known_, PlaceKey(p), {}, keyOf); });
-    const std::size_t before = known_.size();
-    known_.resize(before + places.size());
+                  [&](Point p) { return std::ranges::binary_search(cached_, PlaceKey(p), {}, keyOf); });
+    const std::size_t before = cached_.size();
+    cached_.resize(before + places.size());
     parallelFor(places.size(), searches_of_task, run_.threads, [&](std::size_t begin, std::size_t end) {
       for (std::size_t k = begin; k < end; ++k)
-        known_[before + k] = {places[k], nearestImage(run_, nearest_, places[k])};
+        cached_[before + k] = {places[k], nearestImage(run_, nearest_, places[k])};
     });
-    std::ranges::inplace_merge(known_, known_.begin() + static_cast<std::ptrdiff_t>(before), {}, keyOf);
+    std::ranges::inplace_merge(cached_, cached_.begin() + static_cast<std::ptrdiff_t>(before), {}, keyOf);
   }
 
   /// The nearest image for a place of those cells.
   [[nodiscard]] const NearImage& at(Point p) const {
-    return std::ranges::lower_bound(known_, PlaceKey(p), {}, keyOf)->nearest;
+    return std::ranges::lower_bound(cached_, PlaceKey(p), {}, keyOf)->nearest;
   }
 
  private:
-  struct Known {
+  struct Cached {
     Point place;
     NearImage nearest;
   };
-  static PlaceKey keyOf(const Known& known) { return PlaceKey(known.place); }
+  static PlaceKey keyOf(const Cached& cached) { return PlaceKey(cached.place); }
 
   const CheckedCells& run_;
   const NearestSite& nearest_;
-  std::vector<Known> known_;  ///< by place
+  std::vector<Cached> cached_;  ///< by place
 };
 
 /// Calls `search(begin, end)` for parts of [0, count), from its beginning, as time allows; returns how far it
@@ -106,15 +106,14 @@ std::string wrongPlace(const CheckedCells& run, const NearImage& near, std::size
   const Point way = run.way(i, near.site, near.shift);
   if (way == Point{0, 0} || (run.diagram.owner[near.site] == i && length(way) <= run.rounding(i))) return {};
   const double rounding = run.rounding(i) + run.rounding(near.site);
-  const double beyond = beyondBisector(way, run.site(i), run.weightDifference(i, near.site), p);
+  const double beyond = run.beyond(i, near.site, p, near.shift);
   return run.wrongAtAnyReach(i, [&](double reach) -> std::string {
     // The original position of ends of edges that an outline cut is unknown.
     const double own_reach = run.outline != nullptr ? run.shorter_side
                              : run.weighted         ? std::max(reach, length(way))
                                                     : length(p - run.site(i));
     if (beyond <= run.ties(own_reach) + rounding) return {};
-    return fmt::format("({}, {}) in the cell of site {} is nearer to site {}", p.x / run.scale,
-                       p.y / run.scale, i, near.site);
+    return fmt::format("{} in the cell of site {} is nearer to site {}", run.text(p), i, near.site);
   });
 }
 
@@ -159,8 +158,8 @@ bool isInOneOf(const CheckedCells& run, const std::vector<NearImage>& near, Poin
 std::string wrongSample(const CheckedCells& run, const NearestSite& nearest, Point p) {
   const auto near = nearestImages(run, nearest, p);
   if (isInOneOf(run, near, p)) return {};
-  return fmt::format("({}, {}) does not lie in the cell of its nearest site {}", p.x / run.scale,
-                     p.y / run.scale, run.diagram.owner[near.front().site]);
+  return fmt::format("{} does not lie in the cell of its nearest site {}", run.text(p),
+                     run.diagram.owner[near.front().site]);
 }
 
 }  // namespace

@@ -1,8 +1,9 @@
-/// The nearest site of a place, in double, for the checks.
+/// The nearest site of a place, or its nearest image in a periodic domain, in double, for the checks.
 #pragma once
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "check/run.h"
@@ -42,5 +43,31 @@ class NearestSite {
   struct Tree;
   std::unique_ptr<Tree> tree_;
 };
+
+/// The sites as a periodic domain uses them; nothing if the domain does not repeat. Errors: those of
+/// wrapped().
+Result<std::optional<Sites>> wrappedIfPeriodic(const Sites& sites, const Box& domain, Periodic periodic,
+                                               int threads);
+
+/// An image of `site`, at `place`, offset from it by `shift` periods.
+struct NearImage {
+  std::uint32_t site;
+  Shift shift;
+  Point place;
+};
+
+/// A site or image of least distance to p; with weights, of least power.
+NearImage nearestImage(const CheckedSites& run, const NearestSite& nearest, Point p);
+
+/// All sites and images that double cannot distinguish from the nearest; the nearest comes first.
+std::vector<NearImage> nearestImages(const CheckedSites& run, const NearestSite& nearest, Point p);
+
+/// The vector from one image to another.
+inline Point wayTo(const CheckedSites& run, const NearImage& from, const NearImage& to) {
+  return run.way(from.site, to.site, {to.shift[0] - from.shift[0], to.shift[1] - from.shift[1]});
+}
+
+/// The copy of site i of least distance to p.
+NearImage imageNear(const CheckedSites& run, std::uint32_t i, Point p);
 
 }  // namespace vorpipe::core::checks

@@ -49,8 +49,7 @@ double beyondEdge(const CheckedCells& run, std::size_t i, std::size_t e, Point p
     default:
       break;
   }
-  const auto j = static_cast<std::size_t>(run.diagram.neighbors[e]);
-  return beyondBisector(run.neighborWay(i, e), run.site(i), run.weightDifference(i, j), p);
+  return run.beyond(i, static_cast<std::size_t>(run.diagram.neighbors[e]), p, run.shift(e));
 }
 
 std::string wrongEdge(const CheckedCells& run, std::size_t i, std::size_t e, const Slack& slack) {
@@ -216,7 +215,7 @@ std::string wrongPolygon(const CheckedCells& run, std::size_t i, const Slack& sl
 }  // namespace
 
 void checkPolygons(const CheckedCells& run, Broken& broken) {
-  broken.expect("polygons", run.size(), run.threads, [&](std::size_t i) -> std::string {
+  broken.expectEach("polygons", run, [&](std::size_t i) -> std::string {
     if (!run.ok(i)) return {};
     return run.wrongAtAnyReach(i, [&](double reach) { return wrongPolygon(run, i, slackOf(run, i, reach)); });
   });

@@ -1,6 +1,8 @@
 /// A run's result for the checks. Nothing here relies on the code that computed it.
 #pragma once
 
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <array>
 #include <atomic>
@@ -120,6 +122,12 @@ struct CheckedSites {
   [[nodiscard]] double weightDifference(std::size_t i, std::size_t j) const {
     return weighted ? (sites.weight[i] - sites.weight[j]) * scale * scale : 0;
   }
+  /// How far p lies beyond the bisector of site i and the image of site j at `shift` periods.
+  [[nodiscard]] double beyond(std::size_t i, std::size_t j, Point p, Shift shift = {0, 0}) const {
+    return beyondBisector(way(i, j, shift), site(i), weightDifference(i, j), p);
+  }
+  /// p in the caller's units, for messages.
+  [[nodiscard]] std::string text(Point p) const { return fmt::format("({}, {})", p.x / scale, p.y / scale); }
   [[nodiscard]] bool inDomain(Point p) const {
     return p.x >= domain.xmin && p.x <= domain.xmax && p.y >= domain.ymin && p.y <= domain.ymax;
   }
@@ -232,12 +240,10 @@ struct CheckedCells : CheckedSites {
     double widest = widerReach(i);
     // A reach beyond the domain's shorter side makes ties no longer.
     for (std::size_t j = 0; j < size() && widest < shorter_side; ++j) {
-      const Point to = way(i, j);
-      const double away = length(to);
+      const double away = length(way(i, j));
       if (!(away > widest)) continue;
       for (std::size_t v = begin(i); v < end(i); ++v) {
-        const double beyond = beyondBisector(to, site(i), weightDifference(i, j), vertex(v));
-        if (std::abs(beyond) <= ties(away)) widest = away;
+        if (std::abs(beyond(i, j, vertex(v))) <= ties(away)) widest = away;
       }
     }
     return widest;
@@ -280,6 +286,12 @@ class Broken {
     if (wrong > 1) text += " (the first of " + std::to_string(wrong) + ")";
     add(promise, text);
     return false;
+  }
+
+  /// The same for every site.
+  template <class Test>
+  bool expectEach(std::string_view promise, const CheckedSites& run, const Test& test) {
+    return expect(promise, run.size(), run.threads, test);
   }
 
  private:

@@ -10,7 +10,6 @@
 #include <utility>
 #include <vector>
 
-#include "check/cell_rings.h"
 #include "check/outline.h"
 #include "check/places.h"
 #include "geometry/predicates.h"
@@ -95,9 +94,7 @@ class CellShape {
     const Point p = run_.vertex(e);
     return {countedCoordinate(p.x), countedCoordinate(p.y)};
   }
-  [[nodiscard]] std::string at(Point p) const {
-    return fmt::format("at ({}, {})", p.x / run_.scale, p.y / run_.scale);
-  }
+  [[nodiscard]] std::string at(Point p) const { return "at " + run_.text(p); }
 
   /// Whether the cell is one ring that turns left at each vertex and goes around once: up and down once.
   [[nodiscard]] bool isConvex() const {

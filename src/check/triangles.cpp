@@ -10,9 +10,6 @@ namespace {
 
 /// Relative to the sum of the terms of a predicate.
 constexpr double predicate_slack = 1e-13;
-/// Edges of cells that are shorter than 1e-6 of the distance of their sites are ties, which any triangles may
-/// fill; a few of them may follow each other in a row.
-constexpr double tie_slack = 1e-5;
 
 /// One side of a triangle, with the corner opposite to it.
 struct Side {
@@ -68,6 +65,7 @@ bool isInsideCircle(const CheckedCells& run, std::array<std::uint32_t, 4> of) {
     const Cotangent more = run.weighted ? weighed(run, {of[0], of[1], opposite}) : Cotangent{0, 0};
     sum = {sum.value + (part.value + more.value), sum.rounding + (part.rounding + more.rounding)};
   }
+  // Any triangles may fill ties, of which a few may follow each other in a row.
   return sum.value / 2 < -tie_slack - sum.rounding;
 }
 
@@ -122,7 +120,7 @@ std::size_t cornersOf(const CheckedCells& run, Broken& broken) {
   for (const auto& triangle : run.diagram.triangles) {
     for (const auto site : triangle) is_corner[site] = 1;
   }
-  broken.expect("triangles", run.size(), run.threads, [&](std::size_t i) {
+  broken.expectEach("triangles", run, [&](std::size_t i) {
     return is_corner[i] == 0 && run.ok(i) ? fmt::format("site {} has a cell, but none", i) : std::string();
   });
   return static_cast<std::size_t>(std::ranges::count(is_corner, 1));

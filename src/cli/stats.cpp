@@ -10,7 +10,7 @@
 #include <nlohmann/json.hpp>
 
 #include "base/parallel.h"
-#include "bench/revision.h"
+#include "bench/machine.h"
 #include "io/base/json_text.h"
 
 namespace vorpipe::cli {

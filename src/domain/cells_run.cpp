@@ -4,7 +4,7 @@
 
 #include "base/stopwatch.h"
 #include "base/try.h"
-#include "cells/box_diagram.h"
+#include "cells/agreed_cells.h"
 #include "cells/diagram_writer.h"
 #include "domain/clip_diagram.h"
 

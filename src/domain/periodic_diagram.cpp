@@ -7,7 +7,7 @@
 #include "base/refusal.h"
 #include "base/stopwatch.h"
 #include "base/try.h"
-#include "cells/box_diagram.h"
+#include "cells/agreed_cells.h"
 #include "cells/diagram_writer.h"
 #include "domain/band_proof.h"
 #include "domain/seam.h"

@@ -1,7 +1,7 @@
 /// Draws cells from lists of sites.
 #pragma once
 
-#include "cells/candidates.h"
+#include "cells/bisectors.h"
 #include "picture/canvas.h"
 
 namespace vorpipe::core {

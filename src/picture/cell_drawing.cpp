@@ -108,7 +108,7 @@ Result<void> CellDrawing::climb(const View& view) {
     askForCandidates(effort, status);
     return {};
   };
-  const auto left = ladder_.climbDevice({by_grid, by_lists});
+  const auto left = ladder_.run({by_grid, by_lists});
   if (!left) return tl::unexpected(left.error());
   as_polygons_.insert(as_polygons_.end(), left->begin(), left->end());
   return judge(*left);

@@ -1,7 +1,7 @@
 /// Makes a picture from sites.
 #pragma once
 
-#include "cells/machine.h"
+#include "cells/site_run.h"
 #include "picture/kept_picture.h"
 #include "vorpipe/shapes.h"
 

@@ -6,7 +6,7 @@
 #include "base/parallel.h"
 #include "base/progress_steps.h"
 #include "base/try.h"
-#include "cells/size_order.h"
+#include "cells/neighbor_rows.h"
 #include "cells/vertex_batch.h"
 #include "picture/pixel_polygon.h"
 

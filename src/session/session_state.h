@@ -4,7 +4,7 @@
 #include <memory>
 
 #include "backend/registry/registry.h"
-#include "cells/machine.h"
+#include "cells/site_run.h"
 #include "session/device_in_use.h"
 #include "vorpipe.h"
 

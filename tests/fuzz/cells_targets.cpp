@@ -8,7 +8,7 @@
 #include "backend/cpu/exact_tier.h"
 #include "backend/cpu/grid_cells.h"
 #include "byte_stream.h"
-#include "cells/device_eligible.h"
+#include "cells/device_ladder.h"
 #include "session.h"
 #include "sites/site_set.h"
 #include "target.h"

@@ -8,7 +8,6 @@
 #include <memory>
 
 #include "base/try.h"
-#include "bench/conditions.h"
 #include "bench/driver_threads.h"
 #include "bench/tables.h"
 #include "cli/commands/command.h"

@@ -7,7 +7,6 @@
 #include <map>
 #include <nlohmann/json.hpp>
 
-#include "bench/plot.h"
 #include "bench/tables.h"
 
 namespace vorpipe::bench {
@@ -129,8 +128,8 @@ TEST(Tables, TheExponentOfAPowerIsFound) {
 }
 
 TEST(Tables, SizesEndWhereTheyMust) {
-  EXPECT_EQ(sizesUpTo({10, 100, 1000}, 100), (std::vector<std::uint64_t>{10, 100}));
-  EXPECT_EQ(sizesUpTo({10, 100, 1000}, 5), (std::vector<std::uint64_t>{5}));
+  EXPECT_EQ(upTo<std::uint64_t>({10, 100, 1000}, 100), (std::vector<std::uint64_t>{10, 100}));
+  EXPECT_EQ(upTo<std::uint64_t>({10, 100, 1000}, 5), (std::vector<std::uint64_t>{5}));
 }
 
 TEST(Plots, EveryCurveIsDrawnAndTextIsEscaped) {

@@ -1,6 +1,6 @@
 /// What the cells of the mesh are for: they agree, in every tie, and no device wastes time on their sites.
 /// judge_test compares them with brute force.
-#include "cells/mesh_cells.h"
+#include "cells/site_mesh.h"
 
 #include <gtest/gtest.h>
 

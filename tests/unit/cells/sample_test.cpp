@@ -5,7 +5,7 @@
 #include <random>
 
 #include "base/distinct.h"
-#include "cells/sample.h"
+#include "cells/device_ladder.h"
 
 namespace vorpipe::test {
 

@@ -10,7 +10,6 @@
 #include <numbers>
 #include <random>
 
-#include "check/images.h"
 #include "support/sites/unit.h"
 #include "vorpipe.h"
 

@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-#include "check/box_tree.h"
+#include "check/places.h"
 #include "unit/fixtures/checked_runs.h"
 #include "unit/fixtures/outlines.h"
 

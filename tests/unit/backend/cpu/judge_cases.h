@@ -12,7 +12,7 @@
 
 #include "backend/cpu/exact_cells.h"
 #include "backend/cpu/tree_cells.h"
-#include "cells/mesh_cells.h"
+#include "cells/site_mesh.h"
 #include "unit/fixtures/all_of.h"
 #include "unit/fixtures/brute_force.h"
 #include "unit/fixtures/mesh_rows.h"
