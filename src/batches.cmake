@@ -74,7 +74,6 @@ set(vorpipe_alone
     svg_picture.cpp
     thesis.cpp
     cells/tied_vertices.cpp
-    uncovered.cpp
     vulkan/compute_cells.cpp
     vulkan/compute_draw.cpp
     vulkan/draw.cpp

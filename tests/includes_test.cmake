@@ -73,7 +73,7 @@ set(users
     "^domain/"
     "^cli/options/(command_line|help_format)\\.cpp$"
     "^base/parallel(_sort)?\\.cpp$"
-    "^motion/linear/factored\\.cpp$"
+    "^motion/linear/laplacian\\.cpp$"
     "^backend/")
 
 # Sets allowed to whether file (relative to src) may include header, quoted or in angle brackets.
@@ -128,7 +128,7 @@ vorpipe_expect(FALSE bench/lab.cpp cells/judge.h TRUE)
 vorpipe_expect(FALSE picture/picture.cpp flann/flann.hpp FALSE)
 vorpipe_expect(TRUE base/parallel.cpp tbb/parallel_for.h FALSE)
 vorpipe_expect(FALSE picture/picture.cpp tbb/parallel_for.h FALSE)
-vorpipe_expect(TRUE motion/linear/factored.cpp Eigen/SparseCholesky FALSE)
+vorpipe_expect(TRUE motion/linear/laplacian.cpp Eigen/SparseCholesky FALSE)
 vorpipe_expect(FALSE motion/linear/laplacian_solver.cpp Eigen/SparseCholesky FALSE)
 vorpipe_expect(FALSE backend/opengl/cells.cpp backend/vulkan/device.h TRUE)
 vorpipe_expect(FALSE backend/opengl/cells.cpp backend/registry/registry.h TRUE)

@@ -2,7 +2,10 @@
 #include <array>
 #include <cmath>
 #include <numbers>
-#include <utility>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
 
 #include "vorpipe.h"
 #include "vorpipe/fluid.h"
@@ -11,14 +14,6 @@ namespace vorpipe {
 namespace {
 
 using std::numbers::pi;
-
-constexpr std::array<std::pair<std::string_view, FluidCase>, 5> names{{
-    {"taylor-green", FluidCase::taylor_green},
-    {"gresho", FluidCase::gresho},
-    {"shear", FluidCase::shear},
-    {"rayleigh-taylor", FluidCase::rayleigh_taylor},
-    {"dam-break", FluidCase::dam_break},
-}};
 
 /// Returns the centers of about `count` squares that fill a box, row by row.
 Sites squaresIn(const Box& box, std::uint64_t count) {
@@ -56,33 +51,29 @@ Point shear(Point p) {
   return {std::tanh(30 * layer), 0.05 * std::sin(2 * pi * p.x)};
 }
 
+/// Sets squares that fill a domain, with velocities.
 template <class Velocity>
-void setVelocities(FluidState& state, const Velocity& velocity) {
-  for (std::size_t i = 0; i < state.sites.size(); ++i) {
-    state.velocity.push_back(velocity(Point{state.sites.x[i], state.sites.y[i]}));
+void setFlow(FluidSetup& setup, std::uint64_t parcels, const Box& domain, double until,
+             const Velocity& velocity) {
+  setup.options.domain = domain;
+  setup.options.until = until;
+  setup.state.sites = squaresIn(domain, parcels);
+  for (std::size_t i = 0; i < setup.state.sites.size(); ++i) {
+    setup.state.velocity.push_back(velocity(Point{setup.state.sites.x[i], setup.state.sites.y[i]}));
   }
 }
 
 void setTaylorGreen(FluidSetup& setup, std::uint64_t parcels) {
-  setup.options.domain = {0, 0, 1, 1};
-  setup.options.until = 0.5;
-  setup.state.sites = squaresIn(setup.options.domain, parcels);
-  setVelocities(setup.state, taylorGreen);
+  setFlow(setup, parcels, {0, 0, 1, 1}, 0.5, taylorGreen);
 }
 
 void setGresho(FluidSetup& setup, std::uint64_t parcels) {
-  setup.options.domain = {-0.5, -0.5, 0.5, 0.5};
-  setup.options.until = 1;
-  setup.state.sites = squaresIn(setup.options.domain, parcels);
-  setVelocities(setup.state, gresho);
+  setFlow(setup, parcels, {-0.5, -0.5, 0.5, 0.5}, 1, gresho);
 }
 
 void setShear(FluidSetup& setup, std::uint64_t parcels) {
-  setup.options.domain = {0, 0, 1, 1};
   setup.options.periodic = Periodic::xy;
-  setup.options.until = 1;
-  setup.state.sites = squaresIn(setup.options.domain, parcels);
-  setVelocities(setup.state, shear);
+  setFlow(setup, parcels, {0, 0, 1, 1}, 1, shear);
 }
 
 /// A heavy fluid above a light one of a third of its density, in a box that is twice as high as wide; their
@@ -109,40 +100,37 @@ void setDamBreak(FluidSetup& setup, std::uint64_t parcels) {
   setup.state.volume.assign(setup.state.sites.size(), 2.0 / static_cast<double>(setup.state.sites.size()));
 }
 
+struct Case {
+  std::string_view name;
+  FluidCase which;
+  void (*set)(FluidSetup& setup, std::uint64_t parcels);
+};
+
+constexpr std::array<Case, 5> cases{{
+    {"taylor-green", FluidCase::taylor_green, setTaylorGreen},
+    {"gresho", FluidCase::gresho, setGresho},
+    {"shear", FluidCase::shear, setShear},
+    {"rayleigh-taylor", FluidCase::rayleigh_taylor, setRayleighTaylor},
+    {"dam-break", FluidCase::dam_break, setDamBreak},
+}};
+
 }  // namespace
 
 std::vector<std::string> fluidCaseNames() {
-  std::vector<std::string> all;
-  for (const auto& [name, which] : names) all.emplace_back(name);
-  return all;
+  std::vector<std::string> names;
+  for (const Case& each : cases) names.emplace_back(each.name);
+  return names;
 }
 
 std::optional<FluidCase> fluidCaseOf(std::string_view name) {
-  for (const auto& [known, which] : names) {
-    if (known == name) return which;
-  }
-  return std::nullopt;
+  const auto* const found = std::ranges::find(cases, name, &Case::name);
+  return found == cases.end() ? std::nullopt : std::optional(found->which);
 }
 
 FluidSetup fluidCase(FluidCase which, std::uint64_t parcels) {
   FluidSetup setup{};
-  switch (which) {
-    case FluidCase::taylor_green:
-      setTaylorGreen(setup, parcels);
-      break;
-    case FluidCase::gresho:
-      setGresho(setup, parcels);
-      break;
-    case FluidCase::shear:
-      setShear(setup, parcels);
-      break;
-    case FluidCase::rayleigh_taylor:
-      setRayleighTaylor(setup, parcels);
-      break;
-    case FluidCase::dam_break:
-      setDamBreak(setup, parcels);
-      break;
-  }
+  const auto* const found = std::ranges::find(cases, which, &Case::which);
+  if (found != cases.end()) found->set(setup, parcels);
   return setup;
 }
 

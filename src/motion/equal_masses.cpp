@@ -7,9 +7,9 @@
 
 #include "base/block_sums.h"
 #include "base/try.h"
-#include "motion/allowed_places.h"
-#include "motion/linear/conjugate_gradients.h"
+#include "motion/linear/laplacian.h"
 #include "motion/linear/mass_change.h"
+#include "motion/movable.h"
 
 namespace vorpipe::moving {
 namespace {
@@ -33,51 +33,46 @@ class Equalizer {
         cells_(session, options),
         allowed_(options.domain, options.outline, options.periodic),
         threads_(session.threads()),
-        sites_(std::move(sites)) {}
+        result_{std::move(sites)} {}
 
-  Result<void> run(double tolerance, std::uint64_t most) {
-    auto measured = measure(sites_);
-    if (!measured) return tl::unexpected(std::move(measured.error()));
-    worst_ = *measured;
-    while (worst_ > tolerance && diagrams_ < most) {
-      const auto ways = shortestWays({cells_, sites_, options_.domain, threads_}, missing_, threads_);
+  Result<EqualMasses> run(double tolerance, std::uint64_t most) {
+    const auto measured = measure(result_.sites);
+    if (!measured) return tl::unexpected(measured.error());
+    result_.worst = *measured;
+    while (result_.worst > tolerance && result_.diagrams < most) {
+      const auto ways = shortestWays({cells_, result_.sites, options_.domain, threads_}, missing_, threads_);
       const auto better = search(ways, most);
       if (!better) return tl::unexpected(better.error());
       if (!*better) break;
     }
-    return {};
+    return std::move(result_);
   }
-
-  [[nodiscard]] const Sites& sites() const { return sites_; }
-  [[nodiscard]] std::uint64_t diagrams() const { return diagrams_; }
-  [[nodiscard]] double worst() const { return worst_; }
 
  private:
   /// Returns the largest relative difference of a mass from the mean of all that have one; stores what each
   /// misses.
   Result<double> measure(const Sites& at) {
     VORPIPE_TRY(cells_.update(at));
-    ++diagrams_;
+    ++result_.diagrams;
     const auto& mass = cells_.moments().mass;
     const double sum = carefulSum(mass.size(), threads_, [&](std::size_t i) { return mass[i]; });
     const double cells =
         carefulSum(mass.size(), threads_, [&](std::size_t i) { return mass[i] > 0 ? 1.0 : 0.0; });
     const double mean = sum / cells;
-    now_missing_.resize(mass.size());
+    missing_.resize(mass.size());
     double worst = 0;
     for (std::size_t i = 0; i < mass.size(); ++i) {
-      now_missing_[i] = mass[i] > 0 ? mean - mass[i] : 0;
-      worst = std::max(worst, std::abs(now_missing_[i]) / mean);
+      missing_[i] = mass[i] > 0 ? mean - mass[i] : 0;
+      worst = std::max(worst, std::abs(missing_[i]) / mean);
     }
-    missing_.swap(now_missing_);
     return worst;
   }
 
   /// Takes the longest part of the moves, halved each time, that improves the worst cell.
   Result<bool> search(const std::vector<Point>& ways, std::uint64_t most) {
     constexpr double least = 0x1p-6;
-    for (double length = 1; length >= least && diagrams_ < most; length /= 2) {
-      Sites at = sites_;
+    for (double length = 1; length >= least && result_.diagrams < most; length /= 2) {
+      Sites at = result_.sites;
       forAll(at.size(), threads_, [&](std::size_t i) {
         const Point to = allowed_.nearestTo({at.x[i] + length * ways[i].x, at.y[i] + length * ways[i].y});
         at.x[i] = to.x;
@@ -90,9 +85,9 @@ class Equalizer {
       }
       const auto measured = measure(at);
       if (!measured) return tl::unexpected(measured.error());
-      if (!(*measured < worst_)) continue;
-      worst_ = *measured;
-      sites_ = std::move(at);
+      if (!(*measured < result_.worst)) continue;
+      result_.worst = *measured;
+      result_.sites = std::move(at);
       return true;
     }
     return false;
@@ -102,19 +97,15 @@ class Equalizer {
   MovingCells cells_;
   AllowedPlaces allowed_;
   int threads_;
-  Sites sites_;
-  std::vector<double> missing_{}, now_missing_{};
-  double worst_ = 0;
-  std::uint64_t diagrams_ = 0;
+  EqualMasses result_;
+  std::vector<double> missing_{};
 };
 
 }  // namespace
 
 Result<EqualMasses> equalizeMasses(Session& session, Sites sites, const CellsOptions& options,
                                    double tolerance, std::uint64_t most) {
-  Equalizer equalizer(session, std::move(sites), options);
-  VORPIPE_TRY(equalizer.run(tolerance, most));
-  return EqualMasses{equalizer.sites(), equalizer.diagrams(), equalizer.worst()};
+  return Equalizer(session, std::move(sites), options).run(tolerance, most);
 }
 
 }  // namespace vorpipe::moving

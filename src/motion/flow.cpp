@@ -8,8 +8,10 @@
 
 #include "base/block_sums.h"
 #include "base/try.h"
-#include "motion/linear/conjugate_gradients.h"
+#include "motion/linear/laplacian.h"
 #include "motion/linear/mass_change.h"
+#include "motion/memory_order.h"
+#include "motion/movable.h"
 #include "motion/softness.h"
 
 namespace vorpipe::moving {
@@ -22,16 +24,7 @@ constexpr double enough_projected = 0.1;
 /// Tolerance of areas in the middle of a step, where they only determine the directions of projections.
 constexpr double tolerance_in_the_middle = 1e-3;
 
-CellsOptions cellsOptions(const FluidOptions& options) {
-  CellsOptions cells{};
-  cells.domain = options.domain;
-  cells.periodic = options.periodic;
-  cells.search = options.search;
-  cells.progress = options.progress;
-  return cells;
-}
-
-/// Returns the least density of the parcels. Springs of the lightest parcels are as stiff as epsilon says,
+/// Returns the least density of the parcels. Springs of the lightest parcels are as stiff as epsilon sets,
 /// those of heavier ones softer. So the unit of mass makes no difference.
 double lightest(const Parcels& parcels) {
   double least = parcels.mass[0] / parcels.volume[0];
@@ -56,13 +49,14 @@ void kick(std::vector<Point>& velocity, const std::vector<Point>& acceleration, 
 }
 
 /// Removes from the velocities the part that changes areas. The result is the nearest velocity that changes
-/// none, weighted by masses. `least`, `goes_on`, `pressure` and the returned value are as in solvePressure().
+/// none, weighted by masses. `least`, `continues`, `pressure` and the returned value are as in
+/// solvePressure().
 std::uint64_t project(const MassChange& change, std::span<const double> mass, double least, int threads,
-                      const std::function<bool()>& goes_on, std::vector<double>& pressure,
+                      const std::function<bool()>& continues, std::vector<double>& pressure,
                       std::vector<Point>& velocity) {
   std::vector<double> changed;
   change.apply(velocity, changed);
-  const auto iterations = solvePressure(change, mass, changed, least, threads, pressure, goes_on);
+  const auto iterations = solvePressure(change, mass, changed, least, threads, pressure, continues);
   std::vector<Point> pushed;
   change.push(pressure, mass, pushed);
   kick(velocity, pushed, -1, threads);
@@ -71,6 +65,32 @@ std::uint64_t project(const MassChange& change, std::span<const double> mass, do
 
 }  // namespace
 
+Parcels parcelsOf(const FluidState& state, const Box& domain) {
+  Parcels parcels;
+  parcels.order = state.order.empty() ? memoryOrder(state.sites, domain) : state.order;
+  parcels.sites = inOrder(state.sites, parcels.order);
+  parcels.velocity = inOrder(state.velocity, parcels.order);
+  parcels.volume = inOrder(state.volume, parcels.order);
+  parcels.pressure = inOrder(state.pressure, parcels.order);
+  parcels.trend = inOrder(state.trend, parcels.order);
+  parcels.carried = state.carried;
+  parcels.mass = parcels.volume;
+  const std::vector<double> density = inOrder(state.density, parcels.order);
+  for (std::size_t i = 0; i < density.size(); ++i) parcels.mass[i] *= density[i];
+  return parcels;
+}
+
+void backFrom(const Parcels& parcels, FluidState& state) {
+  state.order = parcels.order;
+  state.carried = parcels.carried;
+  for (const auto member : {&Sites::x, &Sites::y, &Sites::weight}) {
+    state.sites.*member = inCallersOrder(parcels.sites.*member, parcels.order);
+  }
+  state.velocity = inCallersOrder(parcels.velocity, parcels.order);
+  state.pressure = inCallersOrder(parcels.pressure, parcels.order);
+  state.trend = inCallersOrder(parcels.trend, parcels.order);
+}
+
 Flow::Flow(Session& session, const FluidOptions& options, const Parcels& parcels)
     : options_(options),
       threads_(session.threads()),
@@ -78,7 +98,7 @@ Flow::Flow(Session& session, const FluidOptions& options, const Parcels& parcels
       stiffness_(options.scheme == FluidScheme::springs
                      ? lightest(parcels) / (options.epsilon * options.epsilon)
                      : 0),
-      cells_(session, cellsOptions(options), options.surface, parcels.volume) {}
+      cells_(session, cellsOf(options), options.surface, parcels.volume) {}
 
 /// Moves sites back into the period, and records mass times shift along gravity.
 Result<void> Flow::wrap(Parcels& parcels) const {
@@ -181,13 +201,13 @@ Result<bool> Flow::reflection(Parcels& parcels, double length) {
   const double least = enough_projected * options_.tolerance * normOf(parcels.volume, threads_) / length;
   // Finding a pressure may take longer than all else.
   bool stopped = false;
-  const auto goes_on = [&] {
+  const auto continues = [&] {
     stopped = stopped || (options_.progress && !options_.progress("pressure", 0));
     return !stopped;
   };
   const auto projectInto = [&](std::vector<double>& pressure) {
     const MassChange change(cells_.cells(), parcels.sites, options_.domain, threads_);
-    iterations_ += project(change, parcels.mass, least, threads_, goes_on, pressure, parcels.velocity);
+    iterations_ += project(change, parcels.mass, least, threads_, continues, pressure, parcels.velocity);
   };
   auto placed = half(std::max(options_.tolerance, tolerance_in_the_middle));
   if (!placed || !*placed) return placed;

@@ -14,7 +14,6 @@
 #include "base/try.h"
 #include "motion/flow.h"
 #include "motion/movable.h"
-#include "motion/parcels.h"
 #include "motion/softness.h"
 #include "vorpipe.h"
 
@@ -91,14 +90,12 @@ Result<void> completeState(const FluidOptions& options, FluidState& state) {
   if (!state.order.empty() && !isPermutation(state.order, count)) {
     return refuse("order: it does not name each site once");
   }
-  if (!std::ranges::all_of(state.velocity, [](Point v) { return isUsable(v); }))
-    return refuseRange("velocity");
+  const auto usable = [](const auto& value) { return isUsable(value); };
+  if (!std::ranges::all_of(state.velocity, usable)) return refuseRange("velocity");
   if (!std::ranges::all_of(state.volume, positive)) return refuse("volume: it is not more than 0");
   if (!std::ranges::all_of(state.density, positive)) return refuse("density: it is not more than 0");
-  if (!std::ranges::all_of(state.density, [](double d) { return isUsable(d); }))
-    return refuseRange("density");
-  if (!std::ranges::all_of(state.pressure, [](double p) { return isUsable(p); }))
-    return refuseRange("pressure");
+  if (!std::ranges::all_of(state.density, usable)) return refuseRange("density");
+  if (!std::ranges::all_of(state.pressure, usable)) return refuseRange("pressure");
   state.velocity.resize(count, Point{0, 0});
   const Box& box = options.domain;
   const double area = (box.xmax - box.xmin) * (box.ymax - box.ymin);
@@ -144,6 +141,7 @@ struct Fluid::State {
   bool is_torn = false;  ///< a step failed: the cells may not be those of the parcels
 
   void update();
+  Result<bool> placeAnew();
   Result<bool> reorder();
   Result<void> placeAgain();
   Result<bool> attempt(double length, int halvings, FluidStep& step);
@@ -191,23 +189,27 @@ void Fluid::State::update() {
   callers_are_old = false;
 }
 
+/// Finds the cells of the caller's state.
+Result<bool> Fluid::State::placeAnew() {
+  now = parcelsOf(callers, options.domain);
+  flow = std::make_unique<Flow>(session, options, now);
+  return flow->place(now);
+}
+
 /// Restores the memory order, since neighbors drift apart. Accelerations do not change: they follow the
 /// parcels.
 Result<bool> Fluid::State::reorder() {
   update();
   callers.order.clear();
-  now = parcelsOf(callers, options.domain);
+  const auto placed = placeAnew();
   callers.order = now.order;
-  flow = std::make_unique<Flow>(session, options, now);
-  return flow->place(now);
+  return placed;
 }
 
 /// Finds the cells again, since a failed step may have left cells that are not those of its beginning.
 Result<void> Fluid::State::placeAgain() {
   update();
-  now = parcelsOf(callers, options.domain);
-  flow = std::make_unique<Flow>(session, options, now);
-  const auto placed = flow->place(now);
+  const auto placed = placeAnew();
   if (!placed) return tl::unexpected(placed.error());
   if (!*placed) return refuse("volume: areas of the cells could not be found");
   is_torn = false;
@@ -305,11 +307,7 @@ Fluid::~Fluid() = default;
 Result<Fluid> Fluid::begin(Session& session, FluidState state, FluidOptions options) {
   if (options.epsilon == 0) options.epsilon = state.epsilon;
   VORPIPE_TRY(checkOptions(options));
-  CellsOptions cells{};
-  cells.domain = options.domain;
-  cells.periodic = options.periodic;
-  cells.search = options.search;
-  VORPIPE_TRY(checkMovable(state.sites, cells, session.threads()));
+  VORPIPE_TRY(checkMovable(state.sites, cellsOf(options), session.threads()));
   VORPIPE_TRY(completeState(options, state));
   VORPIPE_TRY(checkDistinct(state.sites, options, session.threads()));
   const bool is_chosen = options.epsilon == 0;

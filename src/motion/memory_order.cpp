@@ -44,24 +44,4 @@ std::vector<std::uint32_t> memoryOrder(const Sites& sites, const Box& domain) {
   return order;
 }
 
-Sites inOrder(const Sites& sites, const std::vector<std::uint32_t>& order) {
-  Sites sorted;
-  const auto take = [&](const std::vector<double>& from, std::vector<double>& to) {
-    if (from.empty()) return;
-    to.resize(order.size());
-    for (std::size_t k = 0; k < order.size(); ++k) to[k] = from[order[k]];
-  };
-  take(sites.x, sorted.x);
-  take(sites.y, sorted.y);
-  take(sites.weight, sorted.weight);
-  return sorted;
-}
-
-void backFrom(const std::vector<std::uint32_t>& order, const Sites& sites, Sites& to) {
-  for (std::size_t k = 0; k < order.size(); ++k) {
-    to.x[order[k]] = sites.x[k];
-    to.y[order[k]] = sites.y[k];
-  }
-}
-
 }  // namespace vorpipe::moving

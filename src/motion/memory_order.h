@@ -13,10 +13,23 @@ namespace vorpipe::moving {
 /// share cache lines.
 std::vector<std::uint32_t> memoryOrder(const Sites& sites, const Box& domain);
 
-/// Returns the sites in that order.
-Sites inOrder(const Sites& sites, const std::vector<std::uint32_t>& order);
+/// Returns values, or sites, in that order; none if there are none.
+template <class Value>
+std::vector<Value> inOrder(const std::vector<Value>& values, const std::vector<std::uint32_t>& order) {
+  std::vector<Value> sorted(values.empty() ? 0 : order.size());
+  for (std::size_t k = 0; k < sorted.size(); ++k) sorted[k] = values[order[k]];
+  return sorted;
+}
+inline Sites inOrder(const Sites& sites, const std::vector<std::uint32_t>& order) {
+  return {inOrder(sites.x, order), inOrder(sites.y, order), inOrder(sites.weight, order)};
+}
 
-/// Writes sites from that order back in the caller's order to `to`, which has the same size.
-void backFrom(const std::vector<std::uint32_t>& order, const Sites& sites, Sites& to);
+/// Returns values from that order in the caller's.
+template <class Value>
+std::vector<Value> inCallersOrder(const std::vector<Value>& values, const std::vector<std::uint32_t>& order) {
+  std::vector<Value> unsorted(values.size());
+  for (std::size_t k = 0; k < values.size(); ++k) unsorted[order[k]] = values[k];
+  return unsorted;
+}
 
 }  // namespace vorpipe::moving

@@ -9,15 +9,20 @@
 #include "base/refusal.h"
 #include "base/stopwatch.h"
 #include "base/try.h"
-#include "motion/lacking_part.h"
 #include "motion/linear/laplacian_solver.h"
-#include "motion/mass_matrix.h"
-#include "motion/misfit.h"
-#include "motion/roomy_box.h"
+#include "motion/linear/mass_change.h"
 #include "motion/start_weights.h"
 #include "vorpipe.h"
 
 namespace vorpipe::moving {
+
+/// The difference of cell masses from the prescribed ones.
+struct Misfit {
+  double norm = 0;   ///< root of the sum of squared differences
+  double worst = 0;  ///< largest |mass - target| / target
+  double least = 0;  ///< least mass / target
+};
+
 namespace {
 
 /// Old weights are used only if they leave every cell at least this part of its mass.
@@ -26,6 +31,73 @@ constexpr double least_of_old = 0.02;
 constexpr double least_length = 0x1p-30;
 /// Below this misfit, a Newton step that gains nothing is limited by rounding.
 constexpr double near_rounding = 1e-6;
+
+/// Fills `missing` with target - mass by site. If cells fill the domain, the targets are scaled to the sum of
+/// the cells' masses, since no other sum can be reached. Rounding then affects only the cells where it arose.
+Misfit misfitOf(const CellMoments& moments, std::span<const double> targets, Surface surface, int threads,
+                std::vector<double>& missing) {
+  const std::size_t count = targets.size();
+  missing.resize(count);
+  double scale = 1, mean = 0;
+  if (surface == Surface::none) {
+    const double sum = carefulSum(count, threads, [&](std::size_t i) { return moments.mass[i]; });
+    scale = sum / carefulSum(count, threads, [&](std::size_t i) { return targets[i]; });
+    const double gap =
+        carefulSum(count, threads, [&](std::size_t i) { return scale * targets[i] - moments.mass[i]; });
+    mean = gap / static_cast<double>(count);
+  }
+  struct Part {
+    CarefulSum squares;
+    double worst = 0, least = std::numeric_limits<double>::infinity();
+  };
+  const auto parts = byBlocks<Part>(count, threads, [&](std::size_t begin, std::size_t end) {
+    Part part;
+    for (auto i = begin; i < end; ++i) {
+      const double target = scale * targets[i];
+      missing[i] = target - moments.mass[i] - mean;
+      part.squares.add(missing[i] * missing[i]);
+      part.worst = std::max(part.worst, std::abs(missing[i]) / target);
+      part.least = std::min(part.least, moments.mass[i] / target);
+    }
+    return part;
+  });
+  Part all;
+  for (const Part& part : parts) {
+    all.squares.add(part.squares.value());
+    all.worst = std::max(all.worst, part.worst);
+    all.least = std::min(all.least, part.least);
+  }
+  return {std::sqrt(all.squares.value()), all.worst, all.least};
+}
+
+/// The connected part of a graph of cells that lacks the most mass.
+struct Deficit {
+  std::vector<std::uint32_t> cells;  ///< empty where all cells are one part
+  double deficit = 0;                ///< total of its cells
+};
+
+Deficit greatestDeficit(const Laplacian& matrix, std::span<const double> missing, int threads) {
+  const SingularParts parts(matrix, threads);
+  if (parts.count() < 2) return {};
+  std::vector<CarefulSum> deficits(parts.count());
+  for (std::size_t i = 0; i < missing.size(); ++i) {
+    const auto part = parts.partOf()[i];
+    if (part < deficits.size()) deficits[part].add(missing[i]);
+  }
+  const auto most = std::ranges::max_element(deficits, {}, &CarefulSum::value);
+  Deficit found{{}, most->value()};
+  for (std::uint32_t i = 0; i < missing.size(); ++i) {
+    if (parts.partOf()[i] == static_cast<std::size_t>(most - deficits.begin())) found.cells.push_back(i);
+  }
+  return found;
+}
+
+/// Returns the total mass that these cells lack.
+double deficitOf(std::span<const std::uint32_t> cells, std::span<const double> missing) {
+  CarefulSum sum;
+  for (const auto i : cells) sum.add(missing[i]);
+  return sum.value();
+}
 
 }  // namespace
 
@@ -56,14 +128,15 @@ struct PrescribedCells::State {
   std::vector<double> way{};          ///< the Newton step
   Laplacian matrix{};
   bool current = false;  ///< the cells are those of the weights that are kept
-  bool stopped = false;  ///< the watcher said so
+  bool stopped = false;  ///< by the watcher
 
-  Result<bool> measure(const Sites& sites, TransportStep step, Misfit& now);
+  Result<Misfit> measure(const Sites& sites, TransportStep step = {});
   Result<bool> beginWith(Sites& sites, std::vector<double> weights, double least);
   Result<bool> beginAnywhere(Sites& sites);
   Result<bool> begin(Sites& sites);
   void keep(const Sites& sites, const Misfit& now);
-  void tell();
+  Result<void> restore(Sites& sites);
+  void report();
   Result<bool> joinParts(Sites& sites, double enough);
   Result<std::uint64_t> findWay(Sites& sites, double enough);
   Result<TransportEnd> iterate(Sites& sites);
@@ -72,21 +145,21 @@ struct PrescribedCells::State {
   [[nodiscard]] bool mayMeasure() const { return trace.size() < limits.diagrams && !stopped; }
 };
 
-/// Computes one diagram and adds it to the trace. Returns whether all cells have mass.
-Result<bool> PrescribedCells::State::measure(const Sites& sites, TransportStep step, Misfit& now) {
+/// Computes one diagram and adds it to the trace. If a cell has no mass, the misfit is not a number.
+Result<Misfit> PrescribedCells::State::measure(const Sites& sites, TransportStep step) {
   current = false;
-  auto whole = cells.updateUnlessEmpty(sites);
-  if (!whole) return whole;
+  const auto whole = cells.updateUnlessEmpty(sites);
+  if (!whole) return tl::unexpected(whole.error());
   constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
-  now = *whole ? misfitOf(cells.moments(), masses, surface, threads, now_missing)
-               : Misfit{unknown, unknown, unknown};
+  const Misfit now = *whole ? misfitOf(cells.moments(), masses, surface, threads, now_missing)
+                            : Misfit{unknown, unknown, unknown};
   step.diagram = trace.size();
   step.norm = now.norm;
   step.worst = now.worst;
   step.least = now.least;
   step.seconds = watch.seconds();
   trace.push_back(step);
-  return whole;
+  return now;
 }
 
 void PrescribedCells::State::keep(const Sites& sites, const Misfit& now) {
@@ -97,20 +170,28 @@ void PrescribedCells::State::keep(const Sites& sites, const Misfit& now) {
   trace.back().taken = true;
 }
 
+/// Measures the weights that are kept, after others were tried.
+Result<void> PrescribedCells::State::restore(Sites& sites) {
+  sites.weight = kept;
+  const auto now = measure(sites);
+  if (!now) return tl::unexpected(now.error());
+  keep(sites, *now);
+  return {};
+}
+
 /// Reports the last diagram to the watcher.
-void PrescribedCells::State::tell() {
+void PrescribedCells::State::report() {
   if (watcher && !watcher(trace.back())) stopped = true;
 }
 
 /// Returns whether these weights leave every cell at least that part of its mass. If so, keeps them.
 Result<bool> PrescribedCells::State::beginWith(Sites& sites, std::vector<double> weights, double least) {
   sites.weight = std::move(weights);
-  Misfit now;
-  auto whole = measure(sites, {}, now);
-  if (!whole) return whole;
-  const bool enough = *whole && now.least >= least;
-  if (enough) keep(sites, now);
-  tell();
+  const auto now = measure(sites);
+  if (!now) return tl::unexpected(now.error());
+  const bool enough = now->least >= least;
+  if (enough) keep(sites, *now);
+  report();
   return enough;
 }
 
@@ -136,9 +217,9 @@ Result<bool> PrescribedCells::State::beginAnywhere(Sites& sites) {
   }
   const bool everywhere = options.outline.empty() && options.density.values.empty();
   if (!begun || *begun || everywhere || !mayMeasure() || options.periodic == Periodic::xy) return begun;
-  std::vector<double> roomy = spreadWeights(sites, roomyBox(options), options.periodic);
-  centerWeights(roomy, threads);
-  return beginWith(sites, std::move(roomy), any);
+  std::vector<double> inside = spreadWeights(sites, boxWithMass(options), options.periodic);
+  centerWeights(inside, threads);
+  return beginWith(sites, std::move(inside), any);
 }
 
 Result<bool> PrescribedCells::State::begin(Sites& sites) {
@@ -155,10 +236,10 @@ Result<bool> PrescribedCells::State::joinParts(Sites& sites, double enough) {
   massMatrix(cells.neighbors(), cells.edges(), threads, matrix);
   const bool may_be_parts = !options.outline.empty() || !options.density.values.empty();
   if (surface != Surface::none || !may_be_parts) return false;
-  const LackingPart part = lackingPart(matrix, missing, threads);
+  const Deficit part = greatestDeficit(matrix, missing, threads);
   const double total = carefulSum(masses.size(), threads, [&](std::size_t i) { return masses[i]; });
   const double mean = total / static_cast<double>(masses.size());
-  if (part.cells.empty() || part.lack <= limits.tolerance * mean) return false;
+  if (part.cells.empty() || part.deficit <= limits.tolerance * mean) return false;
   const Box& box = options.domain;
   const double area = (box.xmax - box.xmin) * (box.ymax - box.ymin);
   double none = 0, too_much = std::numeric_limits<double>::infinity();
@@ -166,18 +247,18 @@ Result<bool> PrescribedCells::State::joinParts(Sites& sites, double enough) {
     sites.weight = kept;
     for (const auto i : part.cells) sites.weight[i] += raise;
     centerWeights(sites.weight, threads);
-    Misfit now;
-    const auto whole = measure(sites, {}, now);
-    if (!whole) return whole;
-    tell();
-    const double lack = *whole ? std::abs(lackOf(part.cells, now_missing)) : part.lack;
+    const auto now = measure(sites);
+    if (!now) return tl::unexpected(now.error());
+    report();
+    const bool whole = !std::isnan(now->norm);
+    const double deficit = whole ? std::abs(deficitOf(part.cells, now_missing)) : part.deficit;
     // A reduction by this factor is not rounding.
-    const bool moved = lack < 0.999 * part.lack;
-    if (*whole && now.least >= enough && moved) {
-      keep(sites, now);
+    const bool moved = deficit < 0.999 * part.deficit;
+    if (now->least >= enough && moved) {
+      keep(sites, *now);
       return true;
     }
-    const bool nothing = *whole && lackOf(part.cells, now_missing) > 0 && !moved;
+    const bool nothing = whole && deficitOf(part.cells, now_missing) > 0 && !moved;
     (nothing ? none : too_much) = raise;
     const double next = std::isfinite(too_much) ? none + (too_much - none) / 2 : 2 * raise;
     if (next == raise || !std::isfinite(next)) break;
@@ -191,12 +272,8 @@ Result<std::uint64_t> PrescribedCells::State::findWay(Sites& sites, double enoug
   Result<bool> joined = true;
   while (joined && *joined) joined = joinParts(sites, enough);
   if (!joined) return tl::unexpected(std::move(joined.error()));
-  // The last trial may not be the one that is kept.
   if (!current) {
-    sites.weight = kept;
-    Misfit now;
-    VORPIPE_TRY(measure(sites, {}, now));
-    keep(sites, now);
+    VORPIPE_TRY(restore(sites));
     massMatrix(cells.neighbors(), cells.edges(), threads, matrix);
   }
   // A system solved to a relative residual r leaves r of the misfit, where the step itself would leave its
@@ -220,17 +297,15 @@ Result<bool> PrescribedCells::State::search(Sites& sites, std::uint64_t newton, 
     step.newton = newton;
     step.length = length;
     step.linear_iterations = *iterations;
-    Misfit now;
-    const auto whole = measure(sites, step, now);
-    if (!whole) return whole;
-    const bool less = now.norm <= (1 - length / 2) * misfit.norm;
-    const bool taken = *whole && now.least >= enough && less;
-    if (taken) keep(sites, now);
-    tell();
+    const auto now = measure(sites, step);
+    if (!now) return tl::unexpected(now.error());
+    const bool taken = now->least >= enough && now->norm <= (1 - length / 2) * misfit.norm;
+    if (taken) keep(sites, *now);
+    report();
     if (taken) return true;
     // Near the end a whole step is right; if it gains nothing, rounding is the cause.
-    if (*whole && length == 1 && misfit.worst < near_rounding) {
-      if (now.worst < misfit.worst) keep(sites, now);
+    if (!std::isnan(now->norm) && length == 1 && misfit.worst < near_rounding) {
+      if (now->worst < misfit.worst) keep(sites, *now);
       return false;
     }
     length /= 2;
@@ -297,11 +372,8 @@ Result<TransportEnd> PrescribedCells::solve(Sites& sites, const PrescribedLimits
   }
   if (!end) return end;
   if (!s.current) {
-    sites.weight = s.kept;
-    Misfit now;
-    VORPIPE_TRY(s.measure(sites, {}, now));
-    s.keep(sites, now);
-    s.tell();
+    VORPIPE_TRY(s.restore(sites));
+    s.report();
   }
   return end;
 }

@@ -1,6 +1,5 @@
 #include "motion/quasi_newton.h"
 
-#include <algorithm>
 #include <array>
 #include <utility>
 

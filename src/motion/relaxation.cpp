@@ -8,14 +8,11 @@
 #include "base/block_sums.h"
 #include "base/stopwatch.h"
 #include "base/try.h"
-#include "motion/allowed_places.h"
 #include "motion/equal_masses.h"
-#include "motion/lattice_energy.h"
-#include "motion/lost_sites.h"
-#include "motion/measured_sites.h"
 #include "motion/memory_order.h"
 #include "motion/movable.h"
 #include "motion/quasi_newton.h"
+#include "motion/site_energy.h"
 #include "vorpipe.h"
 #include "vorpipe/stipple.h"
 
@@ -35,13 +32,8 @@ constexpr double least_step = 0x1p-12;
 constexpr int most_idle = 20;
 
 CellsOptions cellsOptions(const RelaxOptions& options) {
-  CellsOptions cells{};
-  cells.domain = options.domain;
-  cells.outline = options.outline;
-  cells.periodic = options.periodic;
-  cells.density = options.equal_masses ? forEqualMasses(options.density) : options.density;
-  cells.search = options.search;
-  cells.progress = options.progress;
+  CellsOptions cells = cellsOf(options);
+  if (options.equal_masses) cells.density = forEqualMasses(options.density);
   return cells;
 }
 
@@ -96,6 +88,7 @@ struct Relaxation::State {
   Result<bool> moveLost();
   Result<bool> tryStep();
   Result<void> equalize();
+  [[nodiscard]] double slope() const;
   void findDirection();
   void takeBack(std::size_t diagrams);
   void keep(Sites where, MeasuredSites measured);
@@ -162,6 +155,11 @@ bool Relaxation::State::isAtRest() {
   return idle >= most_idle;
 }
 
+/// Returns the derivative of the energy along the direction.
+double Relaxation::State::slope() const {
+  return carefulSum(direction.size(), threads, [&](std::size_t k) { return at.gradient[k] * direction[k]; });
+}
+
 /// Finds the direction of the next step. A site that it would move out of the domain takes Lloyd's step
 /// instead.
 void Relaxation::State::findDirection() {
@@ -176,9 +174,7 @@ void Relaxation::State::findDirection() {
       direction[i] = at.way[i];
       direction[count + i] = at.way[count + i];
     });
-    const double slope =
-        carefulSum(2 * count, threads, [&](std::size_t k) { return at.gradient[k] * direction[k]; });
-    steepest = !(slope < 0);
+    steepest = !(slope() < 0);
   }
   if (!steepest) return;
   newton.clear();
@@ -218,9 +214,7 @@ Result<bool> Relaxation::State::tryStep() {
   if (!measured) return tl::unexpected(std::move(measured.error()));
   const bool lloyd = options.method == RelaxMethod::lloyd;
   const auto falls = [&] {
-    const double slope =
-        carefulSum(2 * count, threads, [&](std::size_t k) { return at.gradient[k] * direction[k]; });
-    return measured->energy <= at.energy + enough_fall * step * slope + energy_rounding * at.scale;
+    return measured->energy <= at.energy + enough_fall * step * slope() + energy_rounding * at.scale;
   };
   if (lloyd || falls()) {
     if (!lloyd) {
@@ -270,8 +264,7 @@ Result<bool> Relaxation::State::advance() {
 Result<void> Relaxation::State::equalize() {
   const std::uint64_t most = lastDiagrams(options);
   if (most < 2 || end == RelaxEnd::cancelled) return {};
-  CellsOptions plain = cellsOptions(options);
-  plain.density = options.density;
+  const CellsOptions plain = cellsOf(options);
   constexpr double tolerance = 0.01;
   auto equal = equalizeMasses(session, sites, plain, tolerance, most - 1);
   Result<MeasuredSites> measured = equal ? measure(equal->sites) : tl::unexpected(std::move(equal.error()));
@@ -359,7 +352,10 @@ Result<bool> Relaxation::step() {
 
 const Sites& Relaxation::sites() const {
   State& state = *state_;
-  if (std::exchange(state.callers_are_old, false)) backFrom(state.order, state.sites, state.callers);
+  if (std::exchange(state.callers_are_old, false)) {
+    state.callers.x = inCallersOrder(state.sites.x, state.order);
+    state.callers.y = inCallersOrder(state.sites.y, state.order);
+  }
   return state.callers;
 }
 const std::vector<RelaxStep>& Relaxation::trace() const { return state_->trace; }
@@ -372,6 +368,21 @@ const Report& Relaxation::report() const {
   for (std::string& line : state.lost.notes()) report.notes.push_back(std::move(line));
   if (!state.equal_note.empty()) report.notes.push_back(state.equal_note);
   return report;
+}
+
+Result<Relaxed> relax(Session& session, Sites sites, const RelaxOptions& options,
+                      const RelaxWatcher& watcher) {
+  auto relaxation = Relaxation::begin(session, std::move(sites), options);
+  if (!relaxation) return tl::unexpected(std::move(relaxation.error()));
+  bool stopped = false;
+  while (!stopped) {
+    const auto more = relaxation->step();
+    if (!more) return tl::unexpected(more.error());
+    if (!*more) break;
+    stopped = watcher && !watcher(*relaxation);
+  }
+  return Relaxed{relaxation->sites(), relaxation->trace(), stopped ? RelaxEnd::cancelled : relaxation->end(),
+                 relaxation->report()};
 }
 
 }  // namespace vorpipe

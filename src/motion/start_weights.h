@@ -26,4 +26,8 @@ void centerWeights(std::vector<double>& weights, int threads);
 /// Returns the weights of discs with these masses as areas, right where no two discs meet.
 std::vector<double> discWeights(std::span<const double> masses);
 
+/// Returns about the largest box with the domain's proportions that lies in the outline and has a density
+/// above 0. It is found from samples in 128 rows and columns. Returns the domain itself if there is none.
+Box boxWithMass(const CellsOptions& options);
+
 }  // namespace vorpipe::moving

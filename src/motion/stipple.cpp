@@ -10,7 +10,7 @@
 
 #include "base/refusal.h"
 #include "base/try.h"
-#include "motion/allowed_places.h"
+#include "motion/movable.h"
 
 namespace vorpipe {
 namespace {

@@ -4,7 +4,7 @@
 #include "base/parallel.h"
 #include "base/refusal.h"
 #include "base/try.h"
-#include "picture/blend.h"
+#include "picture/pixels.h"
 #include "vorpipe.h"
 #include "vorpipe/free_surface.h"
 

@@ -4,28 +4,36 @@
 #include <iterator>
 #include <utility>
 
+#include "backend/precision.h"
+#include "base/parallel.h"
 #include "base/stopwatch.h"
 #include "base/try.h"
+#include "cells/bisectors.h"
 
 namespace vorpipe::core {
 namespace {
 
-/// Fewer cells than this are clipped in the roomy pipeline from the start: that costs less than a second
+constexpr std::size_t batch_drawing_grain = std::size_t{1} << 14;
+
+/// Limits the reach of a batch's cells so that float rounding loses no more than is allowed. A cell that is
+/// not smaller becomes unsecured.
+void boundReach(double allowed, int threads, CellBatch<float>& batch) {
+  const auto most = static_cast<float>(2 * allowed / reach_rounding);
+  for (auto& entry : batch.entries) entry.reach = std::min(entry.reach, most);
+  parallelFor(batch.lines.size(), batch_drawing_grain, threads, [&](std::size_t begin, std::size_t end) {
+    for (auto l = begin; l < end; ++l) batch.lines[l].bound = std::min(batch.lines[l].bound, most);
+  });
+}
+
+/// Fewer cells than this are clipped in the large pipeline from the start: that costs less than a second
 /// pipeline.
 constexpr std::size_t worth_fast_pipeline = std::size_t{1} << 15;
 
-/// A roomy pipeline may draw what a fast one does not; the judge decides on cells without a shape.
-void askForRoom(Effort effort, std::span<CellStatus> status) {
+/// A large pipeline may draw what a small one does not; the fallback decides on cells without a shape.
+/// Unsecured cells of lists stay so: more candidates may help.
+void deferRest(Effort effort, bool are_lists, std::span<CellStatus> status) {
   for (auto& each : status) {
-    if (each == CellStatus::certified) continue;
-    each = effort == Effort::fast ? CellStatus::overflow : CellStatus::open;
-  }
-}
-
-/// The same, except that more candidates may help.
-void askForCandidates(Effort effort, std::span<CellStatus> status) {
-  for (auto& each : status) {
-    if (each == CellStatus::certified || each == CellStatus::unsecured) continue;
+    if (each == CellStatus::certified || (are_lists && each == CellStatus::unsecured)) continue;
     each = effort == Effort::fast ? CellStatus::overflow : CellStatus::open;
   }
 }
@@ -41,12 +49,11 @@ bool isForDevices(const View& view) {
 CellDrawing::CellDrawing(const SearchInput& input, std::span<const std::uint8_t> palette_index,
                          WhatToDraw what, DrawnBefore& before)
     : input_(input),
+      palette_index_(palette_index),
       before_(before),
       what_(std::move(what)),
       upload_(input.backend, palette_index, &before.held),
       ladder_(input, upload_, worth_fast_pipeline),
-      batches_({input.backend, input.sites, palette_index, input.threads}),
-      polygons_({input.backend, input.sites, palette_index, input.threads}),
       pixels_(input.sites, palette_index, input.threads) {
   if (before_.status.empty()) {
     before_.status.assign(input.sites.size(), CellStatus::certified);
@@ -83,35 +90,77 @@ Result<void> CellDrawing::draw(const View& view) {
   VORPIPE_TRY(giveAll());
   VORPIPE_TRY(input_.backend.begin(view));
   if (!before_.known) {
-    VORPIPE_TRY(climb(view));
+    VORPIPE_TRY(drawByDevice(view));
   }
   if (!as_polygons_.empty()) {
     const NeighborRows& cells = before_.known ? *before_.known : *before_.judged;
-    VORPIPE_TRY(polygons_.draw(view, as_polygons_, cells, input_.progress));
+    VORPIPE_TRY(drawPolygons(input_, palette_index_, view, as_polygons_, cells, draw_seconds_));
   }
   return giveAll();
 }
 
 /// Lets the device find and draw what it can.
-Result<void> CellDrawing::climb(const View& view) {
+Result<void> CellDrawing::drawByDevice(const View& view) {
   const auto by_grid = [&](const Tile&, auto which, Effort effort, auto status) -> Result<void> {
     const Stopwatch watch;
     VORPIPE_TRY(askToDraw(input_.backend, which, effort, status));
-    grid_seconds_ += watch.seconds();
-    askForRoom(effort, status);
+    draw_seconds_ += watch.seconds();
+    deferRest(effort, false, status);
     return {};
   };
-  const auto by_lists = [&](const Candidates& candidates, Effort effort, auto status) -> Result<void> {
-    const auto drawn = batches_.draw(view, candidates, effort);
-    if (!drawn) return tl::unexpected(drawn.error());
-    std::ranges::copy(*drawn, status.begin());
-    askForCandidates(effort, status);
-    return {};
+  const auto by_lists = [&](const Candidates& candidates, Effort effort, auto status) {
+    return drawLists(view, candidates, effort, status);
   };
   const auto left = ladder_.run({by_grid, by_lists});
   if (!left) return tl::unexpected(left.error());
   as_polygons_.insert(as_polygons_.end(), left->begin(), left->end());
   return judge(*left);
+}
+
+/// Draws every entry of `candidates`, in as many batches as the device needs. A list that is longer than a
+/// batch stays missing. A cell so large that float rounding might visibly change it is unsecured.
+Result<void> CellDrawing::drawLists(const View& view, const Candidates& candidates, Effort effort,
+                                    std::span<CellStatus> status) {
+  const auto& info = input_.backend.info();
+  const auto entries = candidates.site.size();
+  std::ranges::fill(status, CellStatus::missing);
+  for (std::size_t begin = 0, end = 0; begin < entries; begin = end) {
+    while (end < entries && end - begin < info.max_entries &&
+           candidates.offsets[end + 1] - candidates.offsets[begin] <= info.max_lines) {
+      ++end;
+    }
+    if (end == begin) {
+      ++end;
+      continue;
+    }
+    packBatch(input_.sites, candidates, begin, end, input_.threads, batch_);
+    boundReach(lossAllowed(view, info.subpixel_bits), input_.threads, batch_);
+    const auto count = end - begin;
+    VORPIPE_TRY(drawBatch(view, std::span(candidates.site).subspan(begin, count), effort,
+                          status.subspan(begin, count)));
+  }
+  deferRest(effort, true, status);
+  return {};
+}
+
+Result<void> CellDrawing::drawBatch(const View& view, std::span<const std::uint32_t> site, Effort effort,
+                                    std::span<CellStatus> status) {
+  const auto& box = view.box;
+  const Point center{0.5 * (box.xmin + box.xmax), 0.5 * (box.ymin + box.ymax)};
+  const Point scale{2 / (box.xmax - box.xmin), 2 / (box.ymax - box.ymin)};
+  marks_.resize(site.size());
+  parallelFor(site.size(), batch_drawing_grain, input_.threads, [&](std::size_t begin, std::size_t end) {
+    for (auto e = begin; e < end; ++e) {
+      const auto origin = cellOrigin(input_.sites, site[e]);
+      marks_[e] = {static_cast<float>(((origin.x - view.corner.x) - center.x) * scale.x),
+                   static_cast<float>(((origin.y - view.corner.y) - center.y) * scale.y),
+                   input_.sites.id[site[e]], palette_index_[site[e]]};
+    }
+  });
+  const Stopwatch watch;
+  VORPIPE_TRY(askToDraw(input_.backend, batch_, marks_, effort, status));
+  draw_seconds_ += watch.seconds();
+  return {};
 }
 
 Result<void> CellDrawing::findStatuses() {
@@ -155,7 +204,7 @@ void CellDrawing::describe(Report& report) const {
   const auto add = [](double seconds, double& to) { to = std::max(to, 0.0) + 1e3 * seconds; };
   add(upload_.seconds(), times.upload);
   if (ladder_.judgeSeconds() > 0) add(ladder_.judgeSeconds(), times.cells);
-  times.draw = 1e3 * (polygons_.seconds() + batches_.seconds() + grid_seconds_);
+  times.draw = 1e3 * draw_seconds_;
 }
 
 }  // namespace vorpipe::core

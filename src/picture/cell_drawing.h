@@ -2,11 +2,14 @@
 #pragma once
 
 #include <optional>
+#include <span>
+#include <vector>
 
+#include "backend/backend.h"
 #include "cells/answers.h"
+#include "cells/candidates.h"
 #include "cells/device_ladder.h"
-#include "picture/batch_drawing.h"
-#include "picture/polygon_drawing.h"
+#include "cells/neighbor_rows.h"
 
 namespace vorpipe::core {
 
@@ -55,20 +58,33 @@ class CellDrawing {
  private:
   void choose();
   Result<void> giveAll();
-  Result<void> climb(const View& view);
+  Result<void> drawByDevice(const View& view);
+  Result<void> drawLists(const View& view, const Candidates& candidates, Effort effort,
+                         std::span<CellStatus> status);
+  Result<void> drawBatch(const View& view, std::span<const std::uint32_t> site, Effort effort,
+                         std::span<CellStatus> status);
   Result<void> judge(std::span<const std::uint32_t> which);
 
   SearchInput input_;
+  std::span<const std::uint8_t> palette_index_;
   DrawnBefore& before_;
   WhatToDraw what_;
   Upload upload_;
   CellLadder ladder_;
-  BatchDrawing batches_;
-  PolygonDrawing polygons_;
   std::vector<std::uint32_t> as_polygons_;  ///< the cells that the device does not find
   PixelCheck pixels_;
-  double grid_seconds_ = 0;
+  std::vector<DrawMark> marks_;  ///< of a batch
+  CellBatch<float> batch_;
+  double draw_seconds_ = 0;
 };
+
+/// Draws the certified cells of the sites `which` as polygons, split into triangles, over the present
+/// picture; `cells` holds them by index in the set. Adjacent cells have the same corners, so that there are
+/// no gaps. If the device's grid of vertices is coarse, cells shrink by the distance that corners may move,
+/// and leave pixels uncovered. Adds the device's time to `seconds`. Errors: the device's; progress said stop.
+Result<void> drawPolygons(const SearchInput& input, std::span<const std::uint8_t> palette_index,
+                          const View& view, std::span<const std::uint32_t> which, const NeighborRows& cells,
+                          double& seconds);
 
 /// Whether floats can distinguish the pixels of a view, relative to the center of a domain whose longer side
 /// is 1 to 2. Devices store places with 48 binary digits.

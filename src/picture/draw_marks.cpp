@@ -1,12 +1,12 @@
 #include "picture/draw_marks.h"
 
-#include <cmath>
+#include <algorithm>
+#include <array>
 #include <optional>
 
-#include "picture/blend.h"
+#include "base/parallel.h"
 #include "picture/font.h"
-#include "picture/frame.h"
-#include "picture/smooth.h"
+#include "picture/pixels.h"
 
 namespace vorpipe::core {
 namespace {
@@ -24,9 +24,51 @@ void drawEdgesIn(const PictureFrame& part, double width, int threads, Image& ima
   putPart(cut, part, image);
 }
 
+/// Returns the mean color of the samples of a pixel (decision D106). SampleGrid without a site are
+/// transparent and do not affect the color.
+std::uint32_t meanOf(const Image& samples, int row, int column, int in_pixel) {
+  constexpr std::uint32_t opaque = 0xFF;
+  std::array<std::uint32_t, 3> sums{};
+  std::uint32_t covered = 0;
+  for (int y = row * in_pixel; y < (row + 1) * in_pixel; ++y) {
+    for (int x = column * in_pixel; x < (column + 1) * in_pixel; ++x) {
+      const auto at = pixelAt(samples, y, x);
+      if (samples.ids[at] == no_site) continue;
+      ++covered;
+      const std::uint32_t color = samples.rgba[at];
+      for (std::size_t c = 0; c < sums.size(); ++c) sums[c] += color >> 8 * c & opaque;
+    }
+  }
+  if (covered == 0) return 0;
+  const auto all = static_cast<std::uint32_t>(in_pixel * in_pixel);
+  std::uint32_t mean = (opaque * covered + all / 2) / all << 24;
+  for (std::size_t c = 0; c < sums.size(); ++c) mean |= (sums[c] + covered / 2) / covered << 8 * c;
+  return mean;
+}
+
 }  // namespace
 
-Result<void> drawOverlays(const Overlays& overlays, const DrawCells& cells, Image& image) {
+Result<void> smooth(const DrawRows& draw, int in_pixel, int threads, Image& image) {
+  const int step = rowsAtOnce(image.width, in_pixel);
+  for (int first = 0; first < image.height; first += step) {
+    const int last = std::min(image.height, first + step);
+    const auto samples = draw(first, last);
+    if (!samples) return tl::unexpected(samples.error());
+    constexpr std::size_t grain = 16;
+    parallelFor(static_cast<std::size_t>(last - first), grain, threadsForSteps(samples->ids.size(), threads),
+                [&](std::size_t begin, std::size_t end) {
+                  for (int row = static_cast<int>(begin); row < static_cast<int>(end); ++row) {
+                    for (int column = 0; column < image.width; ++column) {
+                      image.rgba[pixelAt(image, first + row, column)] =
+                          meanOf(*samples, row, column, in_pixel);
+                    }
+                  }
+                });
+  }
+  return {};
+}
+
+Result<void> drawOverlays(const Overlays& overlays, const DrawRows& cells, Image& image) {
   const RenderOptions& options = overlays.options;
   const Marks& marks = overlays.marks;
   const int threads = overlays.threads;
@@ -34,10 +76,11 @@ Result<void> drawOverlays(const Overlays& overlays, const DrawCells& cells, Imag
   std::optional<SiteDots> dots;
   if (options.show_sites) dots.emplace(image, overlays.sites, overlays.box, options.dot_size);
   const auto draw_lines = [&](int first, int in_pixel, Image& into) {
-    const Places places{static_cast<double>(frame.left), static_cast<double>(frame.top + first), in_pixel};
-    drawLines(marks.edges, options.edge_width, edge_color, places, threads, into);
-    drawLines(marks.outline, outlineWidth(options), edge_color, places, threads, into);
-    drawLines(marks.dual, options.edge_width, dual_color, places, threads, into);
+    const SampleGrid samples{static_cast<double>(frame.left), static_cast<double>(frame.top + first),
+                             in_pixel};
+    drawLines(marks.edges, options.edge_width, edge_color, samples, threads, into);
+    drawLines(marks.outline, outlineWidth(options), edge_color, samples, threads, into);
+    drawLines(marks.dual, options.edge_width, dual_color, samples, threads, into);
     if (dots) dots->draw({0, static_cast<double>(first), in_pixel}, !options.fill, into);
   };
   const int in_pixel = options.antialias;
@@ -47,9 +90,9 @@ Result<void> drawOverlays(const Overlays& overlays, const DrawCells& cells, Imag
     return {};
   }
   const auto draw = [&](int first, int last) -> Result<Image> {
-    auto places = cells(first, last);
-    if (places) draw_lines(first, in_pixel, *places);
-    return places;
+    auto samples = cells(first, last);
+    if (samples) draw_lines(first, in_pixel, *samples);
+    return samples;
   };
   return smooth(draw, in_pixel, threads, image);
 }
@@ -60,14 +103,10 @@ void drawLabels(const Marks& marks, const RenderOptions& options, std::span<cons
   for (const SiteLabel& label : marks.labels) {
     const double left = label.middle.x - label.width / 2, top = label.middle.y - height / 2;
     const std::uint32_t cell = colors[label.site];
+    // Dual lines end at sites, where labels are.
     if (options.dual) {
-      // Dual lines end at sites, where labels are.
-      const auto pixel = [](double at) { return static_cast<int>(std::lround(at)); };
-      for (int row = pixel(top - margin); row < pixel(top + height + margin); ++row) {
-        for (int column = pixel(left - margin); column < pixel(left + label.width + margin); ++column) {
-          blend(image, row, column, cell, 1);
-        }
-      }
+      blendBox({left - margin, top - margin, left + label.width + margin, top + height + margin}, cell,
+               image);
     }
     drawTextAt(label.text, {left, top + height}, height, inkOn(cell), image);
   }

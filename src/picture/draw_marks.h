@@ -1,10 +1,9 @@
-/// Draws marks over the cells of a picture in pixels.
+/// Draws marks over the cells of a picture in pixels, and smooths it.
 #pragma once
 
 #include <functional>
 
 #include "picture/overlay.h"
-#include "picture/strokes.h"
 
 namespace vorpipe::core {
 
@@ -18,13 +17,18 @@ struct Overlays {
   int threads;
 };
 
-/// Draws only cells, in the rows of the frame from `first` to before `last`: an image with several places in
-/// each pixel, whose ids are indices of the sites of dots.
-using DrawCells = std::function<Result<Image>(int first, int last)>;
+/// Draws the rows of a frame from `first` to before `last` as an image with several rows and columns of
+/// samples in each pixel. Its ids are indices of the sites of dots.
+using DrawRows = std::function<Result<Image>(int first, int last)>;
 
-/// Draws edges, the dual and dots over the image of a frame, whose pixels have several places each if
-/// options.antialias is more than 1. `cells` draws these places. Ids do not change. Errors: those of `cells`.
-Result<void> drawOverlays(const Overlays& overlays, const DrawCells& cells, Image& image);
+/// Draws edges, the dual and dots over the image of a frame, whose pixels have several samples each if
+/// options.antialias is more than 1. `cells` draws these samples. Ids do not change. Errors: those of
+/// `cells`.
+Result<void> drawOverlays(const Overlays& overlays, const DrawRows& cells, Image& image);
+
+/// Gives each pixel of an image the mean color of its samples; its opacity is the share of samples with a
+/// site. Ids do not change. Errors: those of `draw`.
+Result<void> smooth(const DrawRows& draw, int in_pixel, int threads, Image& image);
 
 /// Draws labels over a whole picture. `colors` are those of cells, by site.
 void drawLabels(const Marks& marks, const RenderOptions& options, std::span<const std::uint32_t> colors,

@@ -5,7 +5,8 @@
 #include <cmath>
 #include <vector>
 
-#include "picture/blend.h"
+#include "picture/pixels.h"
+#include "vorpipe/shapes.h"
 
 namespace vorpipe::core {
 namespace {
@@ -180,15 +181,6 @@ void drawGlyph(const Glyph& glyph, Point at, double unit, std::uint32_t color, I
   }
 }
 
-/// Draws a text from a place on its baseline.
-void drawGlyphs(std::string_view text, Point at, double unit, std::uint32_t color, Image& image) {
-  for (const char character : text) {
-    const Glyph& glyph = glyphOf(character);
-    drawGlyph(glyph, at, unit, color, image);
-    at.x += glyph.advance * unit;
-  }
-}
-
 }  // namespace
 
 int unitsOf(std::string_view text) {
@@ -202,12 +194,16 @@ void drawText(const LegendText& text, Image& image) {
   const int width = unitsOf(text.text) * unit;
   const int before = text.anchor == Anchor::start ? 0 : text.anchor == Anchor::middle ? width / 2 : width;
   const Point at{std::round(text.x) - before, std::round(text.baseline)};
-  constexpr std::uint32_t black = 0xFF000000u;
-  drawGlyphs(text.text, at, unit, black, image);
+  drawTextAt(text.text, at, unit * letter_units, black, image);
 }
 
 void drawTextAt(std::string_view text, Point at, double height, std::uint32_t color, Image& image) {
-  drawGlyphs(text, at, height / letter_units, color, image);
+  const double unit = height / letter_units;
+  for (const char character : text) {
+    const Glyph& glyph = glyphOf(character);
+    drawGlyph(glyph, at, unit, color, image);
+    at.x += glyph.advance * unit;
+  }
 }
 
 }  // namespace vorpipe::core

@@ -8,7 +8,7 @@
 #include "base/parallel.h"
 #include "base/stopwatch.h"
 #include "domain/edge_tree.h"
-#include "picture/palette_index.h"
+#include "picture/palette.h"
 #include "sites/bin_sort.h"
 #include "sites/scene.h"
 #include "sites/weights.h"

@@ -1,11 +1,13 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
+#include <span>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "picture/font.h"
-#include "picture/room.h"
 #include "vorpipe/shapes.h"
 
 namespace vorpipe {
@@ -13,6 +15,193 @@ namespace vorpipe {
 using namespace core;
 
 namespace {
+
+/// The visible part of a cell, in pixels, y downward: the intersection of its rings, by the even-odd rule,
+/// and `shown`.
+struct Room {
+  std::vector<Point> points;
+  std::vector<std::size_t> offsets;  ///< start of each ring in `points`, then the end of the last
+  Box shown;
+};
+
+/// The box to fit.
+struct TextBox {
+  double width, height;
+  double gap;  ///< to the rings
+};
+
+double distance(Point a, Point b) { return std::hypot(a.x - b.x, a.y - b.y); }
+
+/// Returns twice the signed area of a ring; the sign gives its orientation.
+double turnOf(std::span<const Point> ring) {
+  double sum = 0;
+  for (std::size_t k = 0; k < ring.size(); ++k) {
+    const Point a = ring[k], b = ring[(k + 1) % ring.size()];
+    sum += (a.x - ring[0].x) * (b.y - ring[0].y) - (b.x - ring[0].x) * (a.y - ring[0].y);
+  }
+  return sum;
+}
+
+bool isConvex(const Room& room) {
+  if (room.offsets.size() != 2) return false;
+  const std::span<const Point> ring(room.points);
+  const double turn = turnOf(ring);
+  for (std::size_t k = 0; k < ring.size(); ++k) {
+    const Point a = ring[k], b = ring[(k + 1) % ring.size()], c = ring[(k + 2) % ring.size()];
+    const double corner = (b.x - a.x) * (c.y - b.y) - (b.y - a.y) * (c.x - b.x);
+    // Rounding may bend straight parts.
+    constexpr double straight = 1e-6;
+    if (corner * turn < 0 && std::abs(corner) > straight * distance(a, b) * distance(b, c)) return false;
+  }
+  return true;
+}
+
+/// Keeps the part of a convex polygon where (nx, ny) p >= least.
+void cut(std::vector<Point>& polygon, double nx, double ny, double least) {
+  std::vector<Point> kept;
+  for (std::size_t k = 0; k < polygon.size(); ++k) {
+    const Point a = polygon[k], b = polygon[(k + 1) % polygon.size()];
+    const double over_a = nx * a.x + ny * a.y - least, over_b = nx * b.x + ny * b.y - least;
+    if (over_a >= 0) kept.push_back(a);
+    if ((over_a > 0 && over_b < 0) || (over_a < 0 && over_b > 0)) {
+      const double t = over_a / (over_a - over_b);
+      kept.push_back({a.x + t * (b.x - a.x), a.y + t * (b.y - a.y)});
+    }
+  }
+  polygon = std::move(kept);
+}
+
+/// Returns the region of centers of boxes in `area`.
+std::vector<Point> middlesIn(const Box& area, const TextBox& box) {
+  const double x = box.width / 2, y = box.height / 2;
+  if (area.xmax - area.xmin < box.width || area.ymax - area.ymin < box.height) return {};
+  return {{area.xmin + x, area.ymin + y},
+          {area.xmax - x, area.ymin + y},
+          {area.xmax - x, area.ymax - y},
+          {area.xmin + x, area.ymax - y}};
+}
+
+/// Returns the region of centers of boxes that fit into a convex room: again a convex polygon.
+std::vector<Point> middlesIn(const Room& room, const TextBox& box, const Box& area) {
+  std::vector<Point> middles = middlesIn(area, box);
+  const std::span<const Point> ring(room.points);
+  const double inward = turnOf(ring) > 0 ? 1 : -1;
+  for (std::size_t k = 0; k < ring.size() && !middles.empty(); ++k) {
+    const Point a = ring[k], b = ring[(k + 1) % ring.size()];
+    const double length = distance(a, b);
+    if (length == 0) continue;
+    const double nx = -inward * (b.y - a.y) / length, ny = inward * (b.x - a.x) / length;
+    const double reach = (std::abs(nx) * box.width + std::abs(ny) * box.height) / 2 + box.gap;
+    cut(middles, nx, ny, nx * a.x + ny * a.y + reach);
+  }
+  return middles;
+}
+
+Point nearestOn(Point a, Point b, Point p) {
+  const Point way{b.x - a.x, b.y - a.y};
+  const double square = way.x * way.x + way.y * way.y;
+  if (square == 0) return a;
+  const double along = std::clamp(((p.x - a.x) * way.x + (p.y - a.y) * way.y) / square, 0.0, 1.0);
+  return {a.x + along * way.x, a.y + along * way.y};
+}
+
+/// Returns the point of a convex polygon, with at least one corner, that is nearest to another point.
+Point nearestIn(std::span<const Point> polygon, Point p) {
+  const double turn = turnOf(polygon);
+  bool inside = turn != 0;
+  Point nearest = polygon[0];
+  for (std::size_t k = 0; k < polygon.size(); ++k) {
+    const Point a = polygon[k], b = polygon[(k + 1) % polygon.size()];
+    if (((b.x - a.x) * (p.y - a.y) - (b.y - a.y) * (p.x - a.x)) * turn < 0) inside = false;
+    const Point here = nearestOn(a, b, p);
+    if (distance(here, p) < distance(nearest, p)) nearest = here;
+  }
+  return inside ? p : nearest;
+}
+
+Box around(Point middle, const TextBox& box, double gap) {
+  const double x = box.width / 2 + gap, y = box.height / 2 + gap;
+  return {middle.x - x, middle.y - y, middle.x + x, middle.y + y};
+}
+
+/// Whether a line meets a box, by clipping it to the box's sides.
+bool meets(Point a, Point b, const Box& box) {
+  double from = 0, to = 1;
+  const auto keep = [&](double start, double way, double low, double high) {
+    if (way == 0) return start > low && start < high;
+    const double s = (low - start) / way, t = (high - start) / way;
+    from = std::max(from, std::min(s, t));
+    to = std::min(to, std::max(s, t));
+    return from < to;
+  };
+  return keep(a.x, b.x - a.x, box.xmin, box.xmax) && keep(a.y, b.y - a.y, box.ymin, box.ymax);
+}
+
+/// Whether a box in `area` lies in the room: its center does, and no ring meets it.
+bool fits(const Room& room, const TextBox& box, const Box& area, Point middle) {
+  const Box own = around(middle, box, 0), wide = around(middle, box, box.gap);
+  if (own.xmin < area.xmin || own.ymin < area.ymin || own.xmax > area.xmax || own.ymax > area.ymax)
+    return false;
+  bool inside = false;
+  for (std::size_t r = 0; r + 1 < room.offsets.size(); ++r) {
+    const std::size_t begin = room.offsets[r], end = room.offsets[r + 1];
+    for (std::size_t k = begin; k < end; ++k) {
+      const Point a = room.points[k], b = room.points[k + 1 < end ? k + 1 : begin];
+      if (meets(a, b, wide)) return false;
+      if ((a.y > middle.y) == (b.y > middle.y)) continue;
+      if (middle.x < a.x + (middle.y - a.y) / (b.y - a.y) * (b.x - a.x)) inside = !inside;
+    }
+  }
+  return inside;
+}
+
+/// Tries the place itself, then others in rows and columns over the room.
+std::optional<Point> tryPlaces(const Room& room, const TextBox& box, const Box& area, Point near) {
+  if (fits(room, box, area, near)) return near;
+  constexpr int steps = 24;
+  const Box all = boxOf(room.points);
+  const Box in{std::max(all.xmin, area.xmin), std::max(all.ymin, area.ymin), std::min(all.xmax, area.xmax),
+               std::min(all.ymax, area.ymax)};
+  std::optional<Point> best;
+  for (int row = 0; row < steps; ++row) {
+    for (int column = 0; column < steps; ++column) {
+      const Point at{in.xmin + (column + 0.5) / steps * (in.xmax - in.xmin),
+                     in.ymin + (row + 0.5) / steps * (in.ymax - in.ymin)};
+      if (best && distance(at, near) >= distance(*best, near)) continue;
+      if (fits(room, box, area, at)) best = at;
+    }
+  }
+  return best;
+}
+
+std::optional<Point> placeIn(const Room& room, const TextBox& box, const Box& area, Point near) {
+  if (room.points.empty()) return std::nullopt;
+  if (!isConvex(room)) return tryPlaces(room, box, area, near);
+  const auto middles = middlesIn(room, box, area);
+  if (middles.empty()) return std::nullopt;
+  return nearestIn(middles, near);
+}
+
+/// Returns the center of a box that fits into the room, as near to a place as possible; none if it does not
+/// fit. In a nonconvex room it only tries some places, so it may miss others.
+std::optional<Point> placeNear(const Room& room, const TextBox& box, Point near) {
+  return placeIn(room, box, room.shown, near);
+}
+
+/// The same beside a dot with this radius: below, above, right or left of it, whichever is nearest.
+std::optional<Point> placeBeside(const Room& room, const TextBox& box, Point dot, double radius) {
+  std::array<Box, 4> sides{room.shown, room.shown, room.shown, room.shown};
+  sides[0].ymin = std::max(sides[0].ymin, dot.y + radius);
+  sides[1].ymax = std::min(sides[1].ymax, dot.y - radius);
+  sides[2].xmin = std::max(sides[2].xmin, dot.x + radius);
+  sides[3].xmax = std::min(sides[3].xmax, dot.x - radius);
+  std::optional<Point> best;
+  for (const Box& side : sides) {
+    const auto at = placeIn(room, box, side, dot);
+    if (at && (!best || distance(*at, dot) < distance(*best, dot))) best = at;
+  }
+  return best;
+}
 
 /// Returns the radius of the dots, about the same in pixel and vector pictures; 0 without dots.
 double dotRadius(const Diagram& cells, const RenderOptions& options, const PicturePlaces& places) {

@@ -1,13 +1,68 @@
+#include "picture/legend.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
 
-#include "picture/colormap.h"
 #include "picture/font.h"
-#include "picture/number_text.h"
+#include "picture/palette.h"
+#include "picture/pixels.h"
 #include "vorpipe.h"
 
 namespace vorpipe::core {
+namespace {
+
+constexpr int fewest_digits = 3, most_digits = 17;
+/// Numbers from 10^least_exponent to 10^most_exponent are written without an exponent.
+constexpr int least_exponent = -3, most_exponent = 6;
+
+void dropLastZeros(std::string& digits) {
+  if (digits.find('.') == std::string::npos) return;
+  digits.erase(digits.find_last_not_of('0') + 1);
+  if (digits.back() == '.') digits.pop_back();
+}
+
+bool areDistinct(std::span<const double> numbers, std::span<const std::string> texts) {
+  for (std::size_t i = 1; i < texts.size(); ++i) {
+    if (numbers[i] != numbers[i - 1] && texts[i] == texts[i - 1]) return false;
+  }
+  return true;
+}
+
+}  // namespace
+
+std::string numberText(double number, int digits) {
+  if (number == 0) return "0";
+  // Rounded first: 999.9 has the exponent of 1000.
+  std::string scientific = fmt::format("{:.{}e}", number, digits - 1);
+  const auto e = scientific.find('e');
+  const int exponent = std::atoi(scientific.c_str() + e + 1);
+  if (exponent >= least_exponent && exponent < most_exponent) {
+    std::string fixed = fmt::format("{:.{}f}", number, std::max(0, digits - 1 - exponent));
+    dropLastZeros(fixed);
+    return fixed;
+  }
+  scientific.erase(e);
+  dropLastZeros(scientific);
+  return fmt::format("{}e{}", scientific, exponent);
+}
+
+std::vector<std::string> numberTexts(std::span<const double> numbers, std::size_t longest) {
+  std::vector<std::string> texts(numbers.size());
+  for (int digits = fewest_digits; digits <= most_digits; ++digits) {
+    std::vector<std::string> tried(numbers.size());
+    std::ranges::transform(numbers, tried.begin(), [&](double number) { return numberText(number, digits); });
+    const bool fits = std::ranges::all_of(tried, [&](const auto& text) { return text.size() <= longest; });
+    if (!fits && digits > fewest_digits) break;
+    texts = std::move(tried);
+    if (areDistinct(numbers, texts)) break;
+  }
+  return texts;
+}
+
 namespace {
 
 constexpr std::uint32_t panel_color = 0xE0FFFFFFu, line_color = 0xFF303030u;
@@ -50,10 +105,6 @@ std::vector<std::string> titleOf(const ColorKey& key) {
   if (key.scale == ColorScale::log) title.emplace_back("log");
   if (key.scale == ColorScale::quantile) title.emplace_back("quantiles");
   return title;
-}
-
-void joinLines(std::vector<std::string>& title) {
-  for (; title.size() > 1; title.pop_back()) title[title.size() - 2] += ", " + title.back();
 }
 
 /// The labels of the ticks of `key`, with enough digits to distinguish them, if a picture of this width has
@@ -129,6 +180,13 @@ void addBar(Legend& legend, const LegendBox& bar, const Palette& palette, bool e
 }
 
 }  // namespace
+
+void drawLegend(const Legend& legend, Image& image) {
+  for (const LegendBox& box : legend.boxes) {
+    blendBox({box.left, box.top, box.left + box.width, box.top + box.height}, box.rgba, image);
+  }
+  for (const LegendText& text : legend.texts) drawText(text, image);
+}
 }  // namespace vorpipe::core
 
 namespace vorpipe {
@@ -138,7 +196,7 @@ using namespace core;
 Legend legendOf(const ColorKey& key, const std::string& colormap, int width, int height) {
   Contents contents{titleOf(key), labelsOf(key, width)};
   Contents in_one_line = contents;
-  joinLines(in_one_line.title);
+  in_one_line.title = {fmt::format("{}", fmt::join(contents.title, ", "))};
   if (in_one_line.width() + 2 * margin <= width) contents = std::move(in_one_line);
   const auto [unit, bar_pixels] = scaleFor(contents, width, height);
   dropCrowded(contents.labels, static_cast<double>(bar_pixels) / unit);

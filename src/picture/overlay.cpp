@@ -3,14 +3,113 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <vector>
 
 #include "base/parallel.h"
-#include "picture/blend.h"
+#include "picture/pixels.h"
 
 namespace vorpipe::core {
 namespace {
 
-constexpr std::uint32_t dot_color = white, rim_color = black;
+/// Rows that one thread draws at a time.
+constexpr int band_rows = 64;
+
+struct Interval {
+  double low = std::numeric_limits<double>::infinity(), high = -low;
+
+  void add(double from, double to) {
+    low = std::min(low, from);
+    high = std::max(high, to);
+  }
+};
+
+/// Returns the interval of x in which `slope` x + `offset` lies in [0, most].
+Interval within(double slope, double offset, double most) {
+  constexpr double all = std::numeric_limits<double>::infinity();
+  if (slope == 0) return offset >= 0 && offset <= most ? Interval{-all, all} : Interval{};
+  const double a = -offset / slope, b = (most - offset) / slope;
+  return {std::min(a, b), std::max(a, b)};
+}
+
+/// Returns the part of the row at height y that a line of width 2 `radius` with round ends covers.
+Interval covered(const Line& line, double radius, double y) {
+  Interval row;
+  for (const Point end : {line.from, line.to}) {
+    const double square = radius * radius - (y - end.y) * (y - end.y);
+    if (square >= 0) row.add(end.x - std::sqrt(square), end.x + std::sqrt(square));
+  }
+  const Point way{line.to.x - line.from.x, line.to.y - line.from.y};
+  const double length = std::hypot(way.x, way.y);
+  if (length == 0) return row;
+  const Point along{way.x / length, way.y / length};
+  const double down = y - line.from.y;
+  // Between the ends, and beside the line: both are linear in x. The line is convex, so that it covers one
+  // interval of the row.
+  const Interval between = within(along.x, down * along.y - line.from.x * along.x, length);
+  const Interval beside = within(-along.y, down * along.x + line.from.x * along.y + radius, 2 * radius);
+  const double low = std::max(between.low, beside.low), high = std::min(between.high, beside.high);
+  if (low <= high) row.add(low, high);
+  return row;
+}
+
+/// Returns the first of `count` samples at or after a coordinate; the samples begin at `begin`.
+int firstFrom(double at, double begin, int in_pixel, int count) {
+  return static_cast<int>(
+      std::clamp(std::ceil((at - begin) * in_pixel - 0.5), 0.0, static_cast<double>(count)));
+}
+
+int firstAfter(double at, double begin, int in_pixel, int count) {
+  return static_cast<int>(
+      std::clamp(std::floor((at - begin) * in_pixel - 0.5) + 1, 0.0, static_cast<double>(count)));
+}
+
+/// Rows of an image that a line may cover, from `first` to before `last`.
+struct Rows {
+  int first, last;
+};
+
+Rows rowsOf(const Line& line, double radius, const SampleGrid& samples, int height) {
+  const double top = std::min(line.from.y, line.to.y) - radius;
+  const double bottom = std::max(line.from.y, line.to.y) + radius;
+  return {firstFrom(top, samples.top, samples.in_pixel, height),
+          firstAfter(bottom, samples.top, samples.in_pixel, height)};
+}
+
+/// Returns for each band of rows the lines that may cover part of it, in order.
+std::vector<std::vector<std::uint32_t>> bandsOf(std::span<const Line> lines, double radius,
+                                                const SampleGrid& samples, int height) {
+  std::vector<std::vector<std::uint32_t>> bands(
+      static_cast<std::size_t>((height + band_rows - 1) / band_rows));
+  for (std::uint32_t k = 0; k < lines.size(); ++k) {
+    const Rows rows = rowsOf(lines[k], radius, samples, height);
+    if (rows.first >= rows.last) continue;
+    for (int band = rows.first / band_rows; band <= (rows.last - 1) / band_rows; ++band) {
+      bands[static_cast<std::size_t>(band)].push_back(k);
+    }
+  }
+  return bands;
+}
+
+/// The pen, and the part of a picture that it draws into.
+struct Pen {
+  double radius;
+  std::uint32_t color;
+  const SampleGrid& samples;
+  Image& image;
+
+  void draw(const Line& line, Rows rows) const {
+    for (int row = rows.first; row < rows.last; ++row) {
+      const Interval in = covered(line, radius, samples.y(row));
+      if (!(in.low <= in.high)) continue;
+      const int end = firstAfter(in.high, samples.left, samples.in_pixel, image.width);
+      for (int column = firstFrom(in.low, samples.left, samples.in_pixel, image.width); column < end;
+           ++column) {
+        const auto at = pixelAt(image, row, column);
+        if (image.ids[at] != no_site) image.rgba[at] = color;
+      }
+    }
+  }
+};
 
 /// If the cell ends at the outline on its left or upper side, its own pixel is an edge pixel.
 bool isEdge(const Image& image, int row, int column) {
@@ -113,54 +212,30 @@ void drawDot(Image& image, Point at, const DotSize& dot, std::uint32_t color) {
       // The smallest dot may contain no pixel center.
       const bool inside = distance <= dot.radius || (row == center_row && column == center_column);
       if (!inside || image.ids[pixel] == no_site) continue;
-      image.rgba[pixel] = distance > dot.radius - dot.rim && dot.rim > 0 ? rim_color : color;
+      image.rgba[pixel] = distance > dot.radius - dot.rim && dot.rim > 0 ? black : color;
     }
   }
 }
 
-/// Maps sites to a picture of a domain, y downward.
-class SitePixels {
- public:
-  SitePixels(const Image& image, const Sites& sites, const Box& domain)
-      : image_(image), sites_(sites), domain_(domain) {}
-  [[nodiscard]] double x(std::size_t i) const {
-    return (sites_.x[i] - domain_.xmin) / (domain_.xmax - domain_.xmin) * image_.width;
-  }
-  [[nodiscard]] double y(std::size_t i) const {
-    return (domain_.ymax - sites_.y[i]) / (domain_.ymax - domain_.ymin) * image_.height;
-  }
-  [[nodiscard]] bool shows(std::size_t i) const {
-    const double column = x(i), row = y(i);
-    if (!(column >= 0 && column < image_.width && row >= 0 && row < image_.height)) return false;
-    return image_.ids[pixelAt(image_, static_cast<int>(row), static_cast<int>(column))] != no_site;
-  }
-
- private:
-  const Image& image_;
-  const Sites& sites_;
-  Box domain_;
-};
-
-/// Returns the square root of the median cell size in pixels, over visible sites; 0 if there are none. Of
-/// many sites only a sample is used, which suffices for a median.
-double spacingOf(const Image& image, const SitePixels& places, std::size_t sites) {
-  constexpr std::size_t enough = std::size_t{1} << 20;
-  const std::size_t every = (sites + enough - 1) / enough;
-  std::vector<std::uint32_t> pixels((sites + every - 1) / every);
-  for (const std::uint32_t id : image.ids) {
-    if (id != no_site && id % every == 0) ++pixels[id / every];
-  }
-  std::vector<std::uint32_t> shown;
-  for (std::size_t k = 0; k < pixels.size(); ++k) {
-    if (pixels[k] > 0 && places.shows(k * every)) shown.push_back(pixels[k]);
-  }
-  if (shown.empty()) return 0;
-  const auto middle = shown.begin() + static_cast<std::ptrdiff_t>(shown.size() / 2);
-  std::ranges::nth_element(shown, middle);
-  return std::sqrt(static_cast<double>(*middle));
-}
-
 }  // namespace
+
+void drawLines(std::span<const Line> lines, double width, std::uint32_t color, const SampleGrid& samples,
+               int threads, Image& image) {
+  if (lines.empty()) return;
+  const Pen pen{width / 2, color, samples, image};
+  const auto bands = bandsOf(lines, pen.radius, samples, image.height);
+  parallelFor(bands.size(), 1, threadsForSteps(image.ids.size(), threads),
+              [&](std::size_t begin, std::size_t end) {
+                for (std::size_t band = begin; band < end; ++band) {
+                  const int top = static_cast<int>(band) * band_rows;
+                  for (const auto k : bands[band]) {
+                    const Line& line = lines[k];
+                    const Rows rows = rowsOf(line, pen.radius, samples, image.height);
+                    pen.draw(line, {std::max(top, rows.first), std::min(top + band_rows, rows.last)});
+                  }
+                }
+              });
+}
 
 void drawEdges(Image& image, double width, int threads) {
   constexpr std::size_t rows_at_once = 256;
@@ -174,19 +249,49 @@ void drawEdges(Image& image, double width, int threads) {
 
 SiteDots::SiteDots(const Image& image, const Sites& sites, const Box& domain, double size)
     : picture_(image), sites_(sites), domain_(domain) {
-  const SitePixels places(image, sites, domain);
-  const double spacing = size == 0 ? spacingOf(image, places, sites.size()) : 0;
-  dot_ = dotSizeOf(size, spacing, {image.width, image.height});
+  dot_ = dotSizeOf(size, size == 0 ? spacing() : 0, {image.width, image.height});
 }
 
-void SiteDots::draw(const Places& places, bool white_cells, Image& image) const {
-  const SitePixels at(picture_, sites_, domain_);
-  const double scale = places.in_pixel;
+double SiteDots::x(std::size_t i) const {
+  return (sites_.x[i] - domain_.xmin) / (domain_.xmax - domain_.xmin) * picture_.width;
+}
+
+double SiteDots::y(std::size_t i) const {
+  return (domain_.ymax - sites_.y[i]) / (domain_.ymax - domain_.ymin) * picture_.height;
+}
+
+bool SiteDots::shows(std::size_t i) const {
+  const double column = x(i), row = y(i);
+  if (!(column >= 0 && column < picture_.width && row >= 0 && row < picture_.height)) return false;
+  return picture_.ids[pixelAt(picture_, static_cast<int>(row), static_cast<int>(column))] != no_site;
+}
+
+/// Returns the square root of the median cell size in pixels, over visible sites; 0 if there are none. Of
+/// many sites only a sample is used, which suffices for a median.
+double SiteDots::spacing() const {
+  constexpr std::size_t enough = std::size_t{1} << 20;
+  const std::size_t every = (sites_.size() + enough - 1) / enough;
+  std::vector<std::uint32_t> pixels((sites_.size() + every - 1) / every);
+  for (const std::uint32_t id : picture_.ids) {
+    if (id != no_site && id % every == 0) ++pixels[id / every];
+  }
+  std::vector<std::uint32_t> shown;
+  for (std::size_t k = 0; k < pixels.size(); ++k) {
+    if (pixels[k] > 0 && shows(k * every)) shown.push_back(pixels[k]);
+  }
+  if (shown.empty()) return 0;
+  const auto middle = shown.begin() + static_cast<std::ptrdiff_t>(shown.size() / 2);
+  std::ranges::nth_element(shown, middle);
+  return std::sqrt(static_cast<double>(*middle));
+}
+
+void SiteDots::draw(const SampleGrid& samples, bool white_cells, Image& image) const {
+  const double scale = samples.in_pixel;
   const DotSize dot{dot_.radius * scale, dot_.rim * scale};
-  const std::uint32_t color = white_cells ? black : dot_color;
   for (std::size_t i = 0; i < sites_.size(); ++i) {
-    if (!at.shows(i)) continue;
-    drawDot(image, {(at.x(i) - places.left) * scale, (at.y(i) - places.top) * scale}, dot, color);
+    if (!shows(i)) continue;
+    const Point at{(x(i) - samples.left) * scale, (y(i) - samples.top) * scale};
+    drawDot(image, at, dot, white_cells ? black : white);
   }
 }
 

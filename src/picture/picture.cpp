@@ -1,19 +1,33 @@
 #include "picture/picture.h"
 
-#include <algorithm>
 #include <optional>
 #include <utility>
 
 #include "base/stopwatch.h"
 #include "base/try.h"
 #include "domain/pixel_mask.h"
-#include "picture/colormap.h"
-#include "picture/draw_legend.h"
 #include "picture/draw_marks.h"
-#include "picture/draw_places.h"
-#include "picture/frame.h"
+#include "picture/draw_parts.h"
+#include "picture/legend.h"
+#include "picture/palette.h"
+#include "picture/pixels.h"
 #include "sites/scene.h"
 #include "vorpipe.h"
+
+namespace vorpipe {
+
+CellsOptions cellsOptions(const RenderOptions& picture) {
+  CellsOptions cells{};
+  cells.domain = picture.domain;
+  cells.outline = picture.outline;
+  cells.periodic = picture.periodic;
+  cells.search = picture.search;
+  cells.detail = Detail::measures;
+  cells.progress = picture.progress;
+  return cells;
+}
+
+}  // namespace vorpipe
 
 namespace vorpipe::core {
 namespace {
@@ -75,9 +89,9 @@ Palette whitePalette() {
 }
 
 /// Draws the overlays, masks everything outside the outline, and extends the picture to its full size.
-/// `places` draws cells with several places in a pixel.
+/// `samples` draws cells with several samples in a pixel.
 Result<void> finish(const Sites& sites, const KeptPicture& kept, const RenderOptions& options, int threads,
-                    const Marks& marks, const Palette& palette, PlacesDrawing* places, Image& image) {
+                    const Marks& marks, const Palette& palette, SampleDrawing* samples, Image& image) {
   const Scene& scene = kept.found.scene;
   const PictureFrame frame = shownFrame(options), shown = domainFrame(options);
   const PictureFrame in_frame{shown.left - frame.left, shown.top - frame.top, shown.width, shown.height};
@@ -86,7 +100,7 @@ Result<void> finish(const Sites& sites, const KeptPicture& kept, const RenderOpt
     maskOutside(kept.rings, shownBox(options), kept.found.run->prepared.exponent, threads, image);
   }
   const Overlays overlays{options, marks, scene.sitesOr(sites), shownIn(scene, options), in_frame, threads};
-  const auto draw = [&](int first, int last) { return places->draw(first, last); };
+  const auto draw = [&](int first, int last) { return samples->draw(first, last); };
   VORPIPE_TRY(drawOverlays(overlays, draw, image));
   nameSites(scene, image.ids);
   putIntoFrame(frame, options.width, options.height, image);
@@ -98,25 +112,6 @@ Result<void> finish(const Sites& sites, const KeptPicture& kept, const RenderOpt
 }
 
 }  // namespace
-
-}  // namespace vorpipe::core
-
-namespace vorpipe {
-
-CellsOptions cellsOptions(const RenderOptions& picture) {
-  CellsOptions cells{};
-  cells.domain = picture.domain;
-  cells.outline = picture.outline;
-  cells.periodic = picture.periodic;
-  cells.search = picture.search;
-  cells.detail = Detail::measures;
-  cells.progress = picture.progress;
-  return cells;
-}
-
-}  // namespace vorpipe
-
-namespace vorpipe::core {
 
 Result<Rendering> renderKept(const Machine& machine, const Sites& sites, const RenderOptions& options,
                              const Marks& marks, KeptPicture& kept) {
@@ -148,12 +143,12 @@ Result<Rendering> renderKept(const Machine& machine, const Sites& sites, const R
   report.time_ms.download = 1e3 * picture->download_seconds;
   report.pixels = picture->uncovered;
   drawing.describe(report);
-  std::optional<PlacesDrawing> places;
-  if (options.antialias > 1) places.emplace(machine, nearest, options, palette, kept);
+  std::optional<SampleDrawing> samples;
+  if (options.antialias > 1) samples.emplace(machine, nearest, options, palette, kept);
   const Stopwatch finish_watch;
-  VORPIPE_TRY(finish(sites, kept, options, machine.threads, marks, palette, places ? &*places : nullptr,
+  VORPIPE_TRY(finish(sites, kept, options, machine.threads, marks, palette, samples ? &*samples : nullptr,
                      rendering.image));
-  if (places) report.time_ms.draw += 1e3 * finish_watch.seconds();
+  if (samples) report.time_ms.draw += 1e3 * finish_watch.seconds();
   rendering.status = kept.hasCells() ? cells.status : drawnStatuses(set, scene, kept.before.status);
   countStatuses(rendering.status, report);
   rendering.owner = kept.hasCells() ? cells.owner : run->prepared.owner;

@@ -64,9 +64,9 @@ PixelFrame::PixelFrame(const View& view, int subpixel_bits)
       scale_{view.width / (view.box.xmax - view.box.xmin), view.height / (view.box.ymax - view.box.ymin)},
       size_{static_cast<double>(view.width), static_cast<double>(view.height)} {
   const int longer = std::max(view.width, view.height);
-  const double outset = pixelShares(longer, longer, subpixel_bits).outset();
-  inset_ = std::max(0.0, -outset);
-  moved_ = std::max(on_edge, outset);
+  const double dilation = pixelShares(longer, longer, subpixel_bits).outset();
+  erosion_ = std::max(0.0, -dilation);
+  moved_ = std::max(on_edge, dilation);
 }
 
 void cutToView(const PixelFrame& frame, std::vector<Point>& polygon) {
@@ -104,7 +104,7 @@ CoveredPixels coveredPixels(const std::vector<Point>& polygon, const PixelFrame&
   return covered;
 }
 
-bool shrink(double inset, std::vector<Point>& polygon) {
+bool shrink(double erosion, std::vector<Point>& polygon) {
   Point middle{0, 0};
   for (const Point corner : polygon) middle = {middle.x + corner.x, middle.y + corner.y};
   const auto corners = static_cast<double>(polygon.size());
@@ -113,7 +113,7 @@ bool shrink(double inset, std::vector<Point>& polygon) {
   Point before = polygon.back();
   for (const Point corner : polygon) {
     const double sides = std::abs(corner.x - before.x) + std::abs(corner.y - before.y);
-    if (sides > 0) factor = std::min(factor, 1 - inset * sides / crossOf(before, corner, middle));
+    if (sides > 0) factor = std::min(factor, 1 - erosion * sides / crossOf(before, corner, middle));
     before = corner;
   }
   if (!(factor > 0)) return false;

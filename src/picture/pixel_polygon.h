@@ -26,13 +26,13 @@ class PixelFrame {
   [[nodiscard]] Point size() const { return size_; }
   /// Number of pixels by which to shrink a polygon so that snapping its corners does not make it too large; 0
   /// if snapping is too small to matter.
-  [[nodiscard]] double inset() const { return inset_; }
+  [[nodiscard]] double erosion() const { return erosion_; }
   /// Number of pixels by which edges may move otherwise.
   [[nodiscard]] double moved() const { return moved_; }
 
  private:
   Point low_, scale_, size_;
-  double inset_, moved_;
+  double erosion_, moved_;
 };
 
 /// Cuts away parts so far beyond the view that floats would be too coarse for their corners. Visible parts do
@@ -51,8 +51,8 @@ struct CoveredPixels {
 /// in pixels.
 CoveredPixels coveredPixels(const std::vector<Point>& polygon, const PixelFrame& frame);
 
-/// Shrinks a polygon so that no corner, moved by up to `inset` pixels along each axis, leaves the old
+/// Shrinks a polygon so that no corner, moved by up to `erosion` pixels along each axis, leaves the old
 /// polygon. Returns false if nothing would remain.
-bool shrink(double inset, std::vector<Point>& polygon);
+bool shrink(double erosion, std::vector<Point>& polygon);
 
 }  // namespace vorpipe::core

@@ -1,13 +1,13 @@
-#include "picture/polygon_drawing.h"
-
 #include <algorithm>
 #include <cmath>
 
 #include "base/parallel.h"
 #include "base/progress_steps.h"
+#include "base/stopwatch.h"
 #include "base/try.h"
 #include "cells/neighbor_rows.h"
 #include "cells/vertex_batch.h"
+#include "picture/cell_drawing.h"
 #include "picture/pixel_polygon.h"
 
 namespace vorpipe::core {
@@ -16,22 +16,18 @@ namespace {
 /// Number of cells whose triangles are made at a time, and by one thread.
 constexpr std::size_t most_at_once = std::size_t{1} << 16, polygon_drawing_grain = 4096;
 
-}  // namespace
-
 /// Triangles of some cells; indices are into `corners`.
-struct PolygonDrawing::Triangles {
+struct Triangles {
   std::vector<DrawMark> corners;
   std::vector<std::uint32_t> corner_of;  ///< three for each triangle
 };
 
-namespace {
-
 /// Makes triangles of cells.
-template <class Triangles>
 class TriangleWriter {
  public:
-  TriangleWriter(const Canvas& canvas, const View& view, const PixelFrame& frame, Triangles& out)
-      : canvas_(canvas), sites_(canvas.sites), view_(view), frame_(frame), out_(out), batch_(canvas.sites) {}
+  TriangleWriter(const SiteSet& sites, std::span<const std::uint8_t> palette_index, const View& view,
+                 const PixelFrame& frame, Triangles& out)
+      : sites_(sites), palette_index_(palette_index), view_(view), frame_(frame), out_(out), batch_(sites) {}
 
   void add(std::uint32_t site, std::span<const std::int32_t> row) {
     if (batch_.add(site, row, [&] { finish(); }) != CornerBatch::Added::other) return;
@@ -73,22 +69,22 @@ class TriangleWriter {
     if (covered.count == CoveredPixels::Count::one) {
       const auto [x, y] = covered.center;
       polygon_ = {{x - 0.25, y - 0.25}, {x + 0.25, y - 0.25}, {x, y + 0.25}};
-    } else if (frame_.inset() > 0 && !shrink(frame_.inset(), polygon_)) {
+    } else if (frame_.erosion() > 0 && !shrink(frame_.erosion(), polygon_)) {
       return;
     }
     const auto first = static_cast<std::uint32_t>(out_.corners.size());
     for (const Point corner : polygon_) {
       const Point at = frame_.deviceOf(corner);
       out_.corners.push_back(
-          {static_cast<float>(at.x), static_cast<float>(at.y), sites_.id[site], canvas_.palette_index[site]});
+          {static_cast<float>(at.x), static_cast<float>(at.y), sites_.id[site], palette_index_[site]});
     }
     for (std::uint32_t k = 2; k < polygon_.size(); ++k) {
       for (const auto corner : {0u, k - 1, k}) out_.corner_of.push_back(first + corner);
     }
   }
 
-  const Canvas& canvas_;
   const SiteSet& sites_;
+  std::span<const std::uint8_t> palette_index_;
   const View& view_;
   const PixelFrame& frame_;
   Triangles& out_;
@@ -97,31 +93,9 @@ class TriangleWriter {
   std::vector<Point> polygon_;
 };
 
-}  // namespace
-
-Result<void> PolygonDrawing::draw(const View& view, std::span<const std::uint32_t> which,
-                                  const NeighborRows& cells, const Progress& progress) {
-  const auto& info = canvas_.backend.info();
-  if (!info.has_vertices) return {};  // Every pixel is found when the picture is read.
-  const PixelFrame frame(view, info.subpixel_bits);
-  const auto draw_some = [&](std::size_t first, std::size_t count) {
-    std::vector<Triangles> parts((count + polygon_drawing_grain - 1) / polygon_drawing_grain);
-    parallelFor(count, polygon_drawing_grain, canvas_.threads, [&](std::size_t begin, std::size_t end) {
-      TriangleWriter writer(canvas_, view, frame, parts[begin / polygon_drawing_grain]);
-      const auto site_at = [&](std::size_t k) { return which[first + k]; };
-      forCellsBySize(cells, begin, end, site_at, [&](std::uint32_t site) {
-        if (cells.status(site) == CellStatus::certified) writer.add(site, cells.edges(site));
-      });
-      writer.finish();
-    });
-    return send(parts);
-  };
-  return runInSteps(progress, "drawing", which.size(), most_at_once, draw_some);
-}
-
 /// Sends triangles in as few calls as the device's limits allow.
-Result<void> PolygonDrawing::send(const std::vector<Triangles>& parts) {
-  const std::size_t most = canvas_.backend.info().max_lines;
+Result<void> send(Backend& backend, const std::vector<Triangles>& parts, double& seconds) {
+  const std::size_t most = backend.info().max_lines;
   Triangles joined;
   std::size_t corners = 0, triangles = 0;
   for (const Triangles& part : parts) {
@@ -131,10 +105,13 @@ Result<void> PolygonDrawing::send(const std::vector<Triangles>& parts) {
   joined.corners.reserve(std::min(corners, most));
   joined.corner_of.reserve(3 * std::min(triangles, most));
   const auto flush = [&]() -> Result<void> {
-    auto sent = sendSome(joined.corners, joined.corner_of);
+    if (joined.corner_of.empty()) return {};
+    const Stopwatch watch;
+    VORPIPE_TRY(backend.drawTriangles(joined.corners, joined.corner_of));
+    seconds += watch.seconds();
     joined.corners.clear();
     joined.corner_of.clear();
-    return sent;
+    return {};
   };
   for (const Triangles& part : parts) {
     if (part.corners.size() > most || part.corner_of.size() > 3 * most) {
@@ -159,13 +136,27 @@ Result<void> PolygonDrawing::send(const std::vector<Triangles>& parts) {
   return flush();
 }
 
-Result<void> PolygonDrawing::sendSome(std::span<const DrawMark> corners,
-                                      std::span<const std::uint32_t> triangles) {
-  if (triangles.empty()) return {};
-  const Stopwatch watch;
-  VORPIPE_TRY(canvas_.backend.drawTriangles(corners, triangles));
-  seconds_ += watch.seconds();
-  return {};
+}  // namespace
+
+Result<void> drawPolygons(const SearchInput& input, std::span<const std::uint8_t> palette_index,
+                          const View& view, std::span<const std::uint32_t> which, const NeighborRows& cells,
+                          double& seconds) {
+  const auto& info = input.backend.info();
+  if (!info.has_vertices) return {};  // Every pixel is found when the picture is read.
+  const PixelFrame frame(view, info.subpixel_bits);
+  const auto draw_some = [&](std::size_t first, std::size_t count) {
+    std::vector<Triangles> parts((count + polygon_drawing_grain - 1) / polygon_drawing_grain);
+    parallelFor(count, polygon_drawing_grain, input.threads, [&](std::size_t begin, std::size_t end) {
+      TriangleWriter writer(input.sites, palette_index, view, frame, parts[begin / polygon_drawing_grain]);
+      const auto site_at = [&](std::size_t k) { return which[first + k]; };
+      forCellsBySize(cells, begin, end, site_at, [&](std::uint32_t site) {
+        if (cells.status(site) == CellStatus::certified) writer.add(site, cells.edges(site));
+      });
+      writer.finish();
+    });
+    return send(input.backend, parts, seconds);
+  };
+  return runInSteps(input.progress, "drawing", which.size(), most_at_once, draw_some);
 }
 
 }  // namespace vorpipe::core

@@ -1,14 +1,13 @@
 #include "motion/linear/laplacian_solver.h"
 
 #include <algorithm>
+#include <array>
+#include <cmath>
 #include <limits>
 #include <new>
 
 #include "base/block_sums.h"
-#include "motion/linear/conjugate_gradients.h"
-#include "motion/linear/factored.h"
 #include "motion/linear/multigrid.h"
-#include "motion/linear/parts.h"
 
 namespace vorpipe::moving {
 namespace {
@@ -25,27 +24,87 @@ struct LaplacianSolver::State {
   int threads;
   Factored factored;
   Multigrid multigrid;
-  ConjugateGradients gradients;
   std::vector<double> right, residual, found, step;
+  std::vector<double> direction, image;  ///< of conjugate gradients
 
   LinearSolution solve(const Laplacian& matrix, double tolerance, std::vector<double>& x);
 
-  /// Adds to `found` the solution for `residual`. Returns the number of iterations.
   std::uint64_t improve(const Laplacian& matrix, double least);
+  std::uint64_t improveByGradients(const Laplacian& matrix, double least);
 };
 
+/// Adds to `found` the solution for `residual`. Returns the number of iterations.
 std::uint64_t LaplacianSolver::State::improve(const Laplacian& matrix, double least) {
-  if (matrix.rows() > most_factored) {
-    return gradients.improve(matrix, multigrid, least, threads, residual, found);
-  }
+  if (matrix.rows() > most_factored) return improveByGradients(matrix, least);
   factored.solve(residual, step);
   for (std::size_t i = 0; i < step.size(); ++i) found[i] += step[i];
   return 0;
 }
 
+/// Adds to `found` an approximate solution for `residual`, and updates the residual, up to the recurrence's
+/// rounding. Ends at |residual| <= least, or when it makes no more progress. Returns the number of
+/// iterations. These conjugate gradients allow a nonlinear preconditioner (Notay 2000, "Flexible conjugate
+/// gradients").
+std::uint64_t LaplacianSolver::State::improveByGradients(const Laplacian& matrix, double least) {
+  // Number of iterations in which the least residual so far must halve: hundreds if a multigrid fits badly.
+  constexpr std::uint64_t patience = 100;
+  auto &r = residual, &x = found;
+  const std::size_t size = x.size();
+  direction.assign(size, 0);
+  image.assign(size, 0);
+  double length = 0, due_before = 1, halved = std::numeric_limits<double>::infinity();
+  std::uint64_t iteration = 0, halved_at = 0;
+  for (;;) {
+    auto& to_solve = multigrid.right();
+    forAll(size, threads, [&](std::size_t i) { to_solve[i] = static_cast<float>(r[i]); });
+    const auto& z = multigrid.solve();
+    const auto [due, mixed] = sumsByBlocks<2>(size, threads, [&](std::size_t begin, std::size_t end) {
+      std::array<double, 2> sums{};
+      for (auto i = begin; i < end; ++i) {
+        sums[0] += r[i] * z[i];
+        sums[1] += image[i] * z[i];
+      }
+      return sums;
+    });
+    if (!(due > 0)) return iteration;
+    // (r - r_before) . z / due_before, where r - r_before is -length times the image.
+    const double beta = -length * mixed / due_before;
+    due_before = due;
+    forAll(size, threads, [&](std::size_t i) { direction[i] = z[i] + beta * direction[i]; });
+    const auto [own] = sumsByBlocks<1>(size, threads, [&](std::size_t begin, std::size_t end) {
+      std::array<double, 1> sums{};
+      for (auto i = begin; i < end; ++i) {
+        image[i] = imageAt(matrix, direction, i);
+        sums[0] += direction[i] * image[i];
+      }
+      return sums;
+    });
+    if (!(own > 0)) return iteration;
+    length = due / own;
+    const auto [squares] = sumsByBlocks<1>(size, threads, [&](std::size_t begin, std::size_t end) {
+      std::array<double, 1> sums{};
+      for (auto i = begin; i < end; ++i) {
+        x[i] += length * direction[i];
+        r[i] -= length * image[i];
+        sums[0] += r[i] * r[i];
+      }
+      return sums;
+    });
+    ++iteration;
+    const double norm = std::sqrt(squares);
+    if (!(norm > least)) return iteration;
+    if (norm <= halved / 2) {
+      halved = norm;
+      halved_at = iteration;
+    } else if (iteration - halved_at >= patience) {
+      return iteration;
+    }
+  }
+}
+
 LinearSolution LaplacianSolver::State::solve(const Laplacian& matrix, double tolerance,
                                              std::vector<double>& x) {
-  const auto singular = SingularParts::of(matrix, threads);
+  const SingularParts singular(matrix, threads);
   singular.removeMeans(right, threads);
   x.assign(right.size(), 0);
   const double norm = normOf(right, threads);
@@ -81,8 +140,6 @@ LinearSolution LaplacianSolver::State::solve(const Laplacian& matrix, double tol
 LaplacianSolver::LaplacianSolver(int threads) : state_(std::make_unique<State>()) {
   state_->threads = threads;
 }
-LaplacianSolver::LaplacianSolver(LaplacianSolver&&) noexcept = default;
-LaplacianSolver& LaplacianSolver::operator=(LaplacianSolver&&) noexcept = default;
 LaplacianSolver::~LaplacianSolver() = default;
 
 Result<LinearSolution> LaplacianSolver::solve(const Laplacian& matrix, std::span<const double> b,

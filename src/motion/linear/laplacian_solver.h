@@ -21,8 +21,6 @@ struct LinearSolution {
 class LaplacianSolver {
  public:
   explicit LaplacianSolver(int threads);
-  LaplacianSolver(LaplacianSolver&&) noexcept;
-  LaplacianSolver& operator=(LaplacianSolver&&) noexcept;
   ~LaplacianSolver();
 
   /// Finds x with |b - L x| <= tolerance |b|. In each connected part of the graph whose extras are all 0, b's

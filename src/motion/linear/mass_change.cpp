@@ -1,6 +1,6 @@
 #include "motion/linear/mass_change.h"
 
-#include <cmath>
+#include <numeric>
 
 #include "base/block_sums.h"
 
@@ -11,7 +11,45 @@ double dot(std::span<const double> a, std::span<const double> b, int threads) {
   return carefulSum(a.size(), threads, [&](std::size_t i) { return a[i] * b[i]; });
 }
 
+/// Calls each(k) for the entries of a cell's neighbors, except walls and images of its own site.
+template <class Each>
+void forOthers(const CellsThatMeet& meet, std::size_t i, const Each& each) {
+  for (auto k = meet.offsets[i]; k < meet.offsets[i + 1]; ++k) {
+    if (!isWall(meet.neighbors[k]) && static_cast<std::size_t>(meet.neighbors[k]) != i) each(k);
+  }
+}
+
+/// Sets the start offset of each row; row i has an entry for each call that forRow(i, each) makes.
+template <class ForRow>
+void setOffsets(std::size_t rows, int threads, const ForRow& forRow, std::vector<std::uint64_t>& offsets) {
+  offsets.resize(rows + 1);
+  offsets[0] = 0;
+  forAll(rows, threads, [&](std::size_t i) {
+    std::uint64_t entries = 0;
+    forRow(i, [&](std::uint64_t) { ++entries; });
+    offsets[i + 1] = entries;
+  });
+  std::partial_sum(offsets.begin(), offsets.end(), offsets.begin());
+}
+
 }  // namespace
+
+void massMatrix(const CellsThatMeet& meet, const EdgesOfCells& edges, int threads, Laplacian& matrix) {
+  const std::size_t rows = meet.offsets.size() - 1;
+  const auto forRow = [&](std::size_t i, const auto& each) { forOthers(meet, i, each); };
+  setOffsets(rows, threads, forRow, matrix.offsets);
+  matrix.columns.resize(matrix.offsets[rows]);
+  matrix.coupling.resize(matrix.offsets[rows]);
+  forAll(rows, threads, [&](std::size_t i) {
+    auto out = matrix.offsets[i];
+    forRow(i, [&](std::uint64_t k) {
+      matrix.columns[out] = static_cast<std::uint32_t>(meet.neighbors[k]);
+      matrix.coupling[out++] = edges.coupling[k];
+    });
+  });
+  matrix.extra.resize(edges.arc.size());
+  forAll(edges.arc.size(), threads, [&](std::size_t i) { matrix.extra[i] = edges.arc[i] / 2; });
+}
 
 MassChange::MassChange(const MovingCells& cells, const Sites& sites, const Box& domain, int threads)
     : threads_(threads) {
@@ -19,18 +57,11 @@ MassChange::MassChange(const MovingCells& cells, const Sites& sites, const Box& 
   const EdgesOfCells& edges = cells.edges();
   const std::size_t count = sites.size();
   const auto forCell = [&](std::size_t i, const auto& each) {
-    for (auto k = meet.offsets[i]; k < meet.offsets[i + 1]; ++k) {
-      const bool other = !isWall(meet.neighbors[k]) && static_cast<std::size_t>(meet.neighbors[k]) != i;
-      if (other && edges.coupling[k] > 0) each(k);
-    }
+    forOthers(meet, i, [&](std::uint64_t k) {
+      if (edges.coupling[k] > 0) each(k);
+    });
   };
-  offsets_.resize(count + 1);
-  forAll(count, threads, [&](std::size_t i) {
-    std::uint64_t entries = 0;
-    forCell(i, [&](std::uint64_t) { ++entries; });
-    offsets_[i + 1] = entries;
-  });
-  for (std::size_t i = 0; i < count; ++i) offsets_[i + 1] += offsets_[i];
+  setOffsets(count, threads, forCell, offsets_);
   entries_.resize(offsets_[count]);
   const double width = domain.xmax - domain.xmin, height = domain.ymax - domain.ymin;
   forAll(count, threads, [&](std::size_t i) {
@@ -98,7 +129,7 @@ std::vector<double> MassChange::diagonal(std::span<const double> inertia) const 
 
 std::uint64_t solvePressure(const MassChange& change, std::span<const double> inertia,
                             std::span<const double> wanted, double least, int threads,
-                            std::vector<double>& pressure, const std::function<bool()>& goes_on) {
+                            std::vector<double>& pressure, const std::function<bool()>& continues) {
   const std::size_t count = inertia.size();
   constexpr std::uint64_t most_iterations = 10000;
   if (pressure.size() != count) pressure.assign(count, 0.0);
@@ -115,7 +146,8 @@ std::uint64_t solvePressure(const MassChange& change, std::span<const double> in
   double product = scale();
   way = scaled;
   std::uint64_t iteration = 0;
-  for (; iteration < most_iterations && goes_on() && dot(rest, rest, threads) > least * least; ++iteration) {
+  for (; iteration < most_iterations && continues() && dot(rest, rest, threads) > least * least;
+       ++iteration) {
     change.push(way, inertia, pushed);
     change.apply(pushed, answer);
     const double curvature = dot(way, answer, threads);

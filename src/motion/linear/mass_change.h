@@ -1,4 +1,4 @@
-/// How masses change as sites move, and the least moves for given changes.
+/// How masses change as weights change or sites move, and the least moves for given changes.
 #pragma once
 
 #include <cstdint>
@@ -6,9 +6,13 @@
 #include <span>
 #include <vector>
 
+#include "motion/linear/laplacian.h"
 #include "vorpipe.h"
 
 namespace vorpipe::moving {
+
+/// Fills `matrix` with d mass / d weight. Walls, and images of a cell's own site, do not contribute.
+void massMatrix(const CellsThatMeet& meet, const EdgesOfCells& edges, int threads, Laplacian& matrix);
 
 /// How masses of cells change as their sites move, while weights stay: D in d mass = D v, with a row for each
 /// cell. With b the middle of the edge between the cells i and j, and c its coupling (see EdgesOfCells),
@@ -41,10 +45,10 @@ class MassChange {
 /// Finds p with (D M^-1 D^T) p = wanted. Of all v with D v = wanted, M^-1 D^T p is then the one with the
 /// least sum of inertia |v|^2. `pressure` is the initial guess, 0 if its size differs, and becomes the p that
 /// was found. Returns the number of conjugate gradient iterations. They end when the residual of `wanted` has
-/// the norm `least` or less, when rounding allows no more progress, or when `goes_on`, called before each,
+/// the norm `least` or less, when rounding allows no more progress, or when `continues`, called before each,
 /// returns false.
 std::uint64_t solvePressure(
     const MassChange& change, std::span<const double> inertia, std::span<const double> wanted, double least,
-    int threads, std::vector<double>& pressure, const std::function<bool()>& goes_on = [] { return true; });
+    int threads, std::vector<double>& pressure, const std::function<bool()>& continues = [] { return true; });
 
 }  // namespace vorpipe::moving

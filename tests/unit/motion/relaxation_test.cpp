@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "motion/allowed_places.h"
+#include "motion/movable.h"
 #include "motion/quasi_newton.h"
 #include "support/devices/backends.h"
 #include "unit/motion/blob.h"

@@ -2,9 +2,8 @@
 
 #include <algorithm>
 
-#include "picture/draw_legend.h"
 #include "picture/font.h"
-#include "picture/number_text.h"
+#include "picture/legend.h"
 #include "vorpipe.h"
 
 namespace vorpipe::test {

@@ -6,8 +6,8 @@
 #include <set>
 #include <string>
 
+#include "picture/draw_marks.h"
 #include "picture/font.h"
-#include "picture/smooth.h"
 #include "unit/fixtures/checked_runs.h"
 #include "vorpipe/shapes.h"
 

@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "picture/frame.h"
+#include "picture/pixels.h"
 
 namespace vorpipe::test {
 

@@ -48,8 +48,8 @@ TEST(PixelFrame, PutsTheCornersOfTheViewAtTheEndsOfThePixels) {
   EXPECT_EQ(frame.pixelOf({3, 3}).y, 20);
   EXPECT_EQ(frame.deviceOf({0, 0}).x, -1);
   EXPECT_EQ(frame.deviceOf({40, 20}).y, 1);
-  EXPECT_EQ(frame.inset(), 0) << "eight bits are fine enough";
-  EXPECT_GT(PixelFrame(viewOf(40, 20), 4).inset(), 0);
+  EXPECT_EQ(frame.erosion(), 0) << "eight bits are fine enough";
+  EXPECT_GT(PixelFrame(viewOf(40, 20), 4).erosion(), 0);
 }
 
 TEST(CoveredPixels, AreThoseWhoseCentersAPolygonHolds) {
@@ -95,13 +95,13 @@ TEST(Shrunk, PolygonsHoldCornersThatMove) {
     auto polygon = circle({5, 5}, 3 * random.uniform(), 3 + static_cast<int>(random.below(20)));
     for (Point& corner : polygon) corner.y *= 0.3;
     const auto before = polygon;
-    const double inset = 0.03;
-    if (!shrink(inset, polygon)) continue;
+    const double erosion = 0.03;
+    if (!shrink(erosion, polygon)) continue;
     ++kept;
     for (std::size_t k = 0; k < before.size(); ++k) {
       for (const Point corner : polygon) {
-        for (const double x : {-inset, inset}) {
-          for (const double y : {-inset, inset}) {
+        for (const double x : {-erosion, erosion}) {
+          for (const double y : {-erosion, erosion}) {
             const Point moved{corner.x + x, corner.y + y};
             EXPECT_GE(inside(before[k], before[(k + 1) % before.size()], moved), -1e-9);
           }

@@ -1,5 +1,5 @@
 /// Pixels that a device left uncovered, or gave to no site.
-#include "picture/uncovered.h"
+#include "picture/draw_parts.h"
 
 #include <gtest/gtest.h>
 

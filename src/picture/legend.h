@@ -1,9 +1,11 @@
-/// Human-readable numbers in pictures.
+/// The legend of a picture, and numbers in it.
 #pragma once
 
 #include <span>
 #include <string>
 #include <vector>
+
+#include "vorpipe.h"
 
 namespace vorpipe::core {
 
@@ -14,5 +16,8 @@ std::string numberText(double number, int digits);
 /// Formats ascending numbers with three significant digits each, or as many more as distinguish different
 /// numbers, unless one would then exceed `longest` characters.
 std::vector<std::string> numberTexts(std::span<const double> numbers, std::size_t longest);
+
+/// Draws boxes and texts over the colors of a picture; its ids do not change.
+void drawLegend(const Legend& legend, Image& image);
 
 }  // namespace vorpipe::core

@@ -1,6 +1,7 @@
-#include "picture/frame.h"
+#include "picture/pixels.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 
 namespace vorpipe::core {
@@ -27,6 +28,29 @@ void spread(std::vector<std::uint32_t>& pixels, const PictureFrame& frame, int w
 }
 
 }  // namespace
+
+void blend(Image& image, int row, int column, std::uint32_t color, double part) {
+  if (!(part > 0) || row < 0 || row >= image.height || column < 0 || column >= image.width) return;
+  constexpr double most = 255;
+  std::uint32_t& pixel = image.rgba[pixelAt(image, row, column)];
+  const double over = std::min(part, 1.0) * (color >> 24) / most;
+  const double under = (1 - over) * (pixel >> 24) / most;
+  const double alpha = over + under;
+  std::uint32_t mixed = static_cast<std::uint32_t>(std::lround(most * alpha)) << 24;
+  for (int shift = 0; shift < 24; shift += 8) {
+    const double channel = over * (color >> shift & 0xFF) + under * (pixel >> shift & 0xFF);
+    if (alpha > 0) mixed |= static_cast<std::uint32_t>(std::lround(channel / alpha)) << shift;
+  }
+  pixel = mixed;
+}
+
+void blendBox(const Box& box, std::uint32_t color, Image& image) {
+  const auto pixel = [](double at) { return static_cast<int>(std::lround(at)); };
+  for (int row = pixel(box.ymin); row < pixel(box.ymax); ++row) {
+    for (int column = pixel(box.xmin); column < pixel(box.xmax); ++column)
+      blend(image, row, column, color, 1);
+  }
+}
 
 Image partOf(const Image& image, const PictureFrame& part) {
   Image cut{part.width, part.height, {}, {}};

@@ -1,9 +1,18 @@
-/// Assigns one of a palette's 256 colors to each site.
+/// Colors of sites: color maps of 256 entries, and an entry for each site.
 #pragma once
 
+#include <cstdint>
+#include <optional>
+#include <string_view>
+#include <vector>
+
+#include "backend/backend.h"
 #include "vorpipe.h"
 
 namespace vorpipe::core {
+
+/// Returns the palette of one of colormaps(), opaque. Error (input): no color map has this name.
+Result<Palette> paletteByName(std::string_view name);
 
 struct PaletteIndices {
   std::vector<std::uint8_t> index;  ///< by site, in input order; 0 for sites that have no cell
