@@ -65,14 +65,14 @@ set(users
     "^cells/flann_"
     "^io/base/csv_reader\\."
     "^io/pictures/png_file\\."
-    "^io/(base/(npz_file|zip_file|inflater)|pictures/deflate)\\.cpp$"
+    "^io/(base/(zip_file|input_file)|pictures/deflate)\\.cpp$"
     "^io/base/"
-    "^io/base/content_hash\\.cpp$"
+    "^io/base/read_log\\.cpp$"
     "^base/geos\\.h$"
     "^(domain/(geos_outline|hull|mended|repaired|validity)|io/cells/cells_mesh)\\."
     "^domain/"
     "^cli/options/(command_line|help_format)\\.cpp$"
-    "^base/parallel(_sort)?\\.cpp$"
+    "^base/parallel\\.cpp$"
     "^motion/linear/laplacian\\.cpp$"
     "^backend/")
 

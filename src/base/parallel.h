@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <functional>
+#include <span>
 #include <thread>
 
 namespace vorpipe {
@@ -32,5 +33,8 @@ inline std::size_t grainFor(std::size_t steps, std::size_t most) {
 /// all threads have stopped.
 void parallelFor(std::size_t count, std::size_t grain, int threads,
                  const std::function<void(std::size_t begin, std::size_t end)>& body);
+
+/// Sorts numbers in place, ascending, on up to `threads` threads; 0: all of the machine's. None is NaN.
+void parallelSort(std::span<double> numbers, int threads);
 
 }  // namespace vorpipe

@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-#include "io/base/json_text.h"
+#include "io/base/field_text.h"
 
 namespace vorpipe::bench {
 

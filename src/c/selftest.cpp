@@ -9,7 +9,7 @@
 #include "c/options.h"
 #include "c/structs.h"
 #include "io/base/error.h"
-#include "io/base/json_text.h"
+#include "io/base/field_text.h"
 #include "selftest/selftest_json.h"
 #include "vorpipe/selftest.h"
 

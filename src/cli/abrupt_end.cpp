@@ -12,7 +12,7 @@
 
 #include "cli/options/error_line.h"
 #include "cli/progress.h"
-#include "io/base/unfinished.h"
+#include "io/base/output_file.h"
 
 namespace vorpipe::cli {
 namespace {

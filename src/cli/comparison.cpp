@@ -8,7 +8,7 @@
 
 #include "cli/difference_text.h"
 #include "cli/stats.h"
-#include "io/base/json_text.h"
+#include "io/base/field_text.h"
 
 namespace vorpipe::cli {
 namespace {

@@ -10,8 +10,8 @@
 #include <utility>
 
 #include "io/base/error.h"
+#include "io/base/output_file.h"
 #include "io/base/quoted.h"
-#include "io/base/replaced_file.h"
 
 namespace vorpipe::cli {
 namespace {

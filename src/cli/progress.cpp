@@ -12,7 +12,7 @@
 #include <string>
 
 #include "cli/options/error_line.h"
-#include "io/base/unfinished.h"
+#include "io/base/output_file.h"
 
 namespace vorpipe::cli {
 namespace {

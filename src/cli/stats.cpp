@@ -11,7 +11,7 @@
 
 #include "base/parallel.h"
 #include "bench/machine.h"
-#include "io/base/json_text.h"
+#include "io/base/field_text.h"
 
 namespace vorpipe::cli {
 namespace {

@@ -7,7 +7,7 @@
 
 #include "backend/backend.h"
 #include "cells/answers.h"
-#include "cells/candidates.h"
+#include "cells/bisectors.h"
 #include "cells/device_ladder.h"
 #include "cells/neighbor_rows.h"
 

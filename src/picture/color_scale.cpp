@@ -10,7 +10,7 @@
 #include <span>
 #include <utility>
 
-#include "base/parallel_sort.h"
+#include "base/parallel.h"
 #include "base/try.h"
 
 namespace vorpipe::core {

@@ -20,7 +20,6 @@
 #include "io/base/error.h"
 #include "io/base/extension.h"
 #include "io/base/output_file.h"
-#include "io/base/replaced_file.h"
 #include "io/pictures/png_file.h"
 
 // Not every system declares it in a header. NOLINTNEXTLINE(readability-redundant-declaration)

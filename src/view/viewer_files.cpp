@@ -3,7 +3,7 @@
 #include <filesystem>
 #include <utility>
 
-#include "io/base/shell_line.h"
+#include "io/base/quoted.h"
 #include "view/command.h"
 #include "view/viewer.h"
 

@@ -3,7 +3,7 @@
 #include <array>
 #include <cmath>
 
-#include "io/base/geometry_points.h"
+#include "io/base/geometry_bytes.h"
 #include "io/cells/points_file.h"
 #include "io/sites/sites_file.h"
 #include "io/sites/weights_file.h"

@@ -6,7 +6,7 @@
 
 #include "cli/commands/command.h"
 #include "cli/options/options.h"
-#include "io/base/json_text.h"
+#include "io/base/field_text.h"
 
 namespace vorpipe::cli {
 namespace {

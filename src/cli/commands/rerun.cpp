@@ -16,7 +16,6 @@
 #include "io/base/error.h"
 #include "io/base/input_file.h"
 #include "io/base/quoted.h"
-#include "io/base/shell_line.h"
 
 namespace vorpipe::cli {
 namespace {

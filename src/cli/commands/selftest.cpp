@@ -15,7 +15,7 @@
 #include "cli/progress.h"
 #include "cli/run_end.h"
 #include "cli/selftest_text.h"
-#include "io/base/json_text.h"
+#include "io/base/field_text.h"
 #include "selftest/selftest_json.h"
 
 namespace vorpipe::cli {

@@ -1,7 +1,7 @@
 #include <fmt/format.h>
 
 #include "cli/manual/completions.h"
-#include "io/base/shell_line.h"
+#include "io/base/quoted.h"
 
 namespace vorpipe::cli {
 namespace {

@@ -2,7 +2,7 @@
 
 #include "cli/manual/brief.h"
 #include "cli/manual/completions.h"
-#include "io/base/shell_line.h"
+#include "io/base/quoted.h"
 
 namespace vorpipe::cli {
 namespace {

@@ -10,7 +10,7 @@
 #include "cli/options/domain_options.h"
 #include "cli/options/error_line.h"
 #include "cli/options/reading_options.h"
-#include "io/base/lower_case.h"
+#include "io/base/number.h"
 #include "io/sites/site_source.h"
 #include "io/sites/sites_file.h"
 

@@ -1,20 +1,15 @@
 #include "io/base/attribute.h"
 
 #include <algorithm>
-#include <charconv>
-#include <system_error>
 
 #include "io/base/number.h"
 
 namespace vorpipe {
 namespace {
 
-bool isDigit(char c) { return c >= '0' && c <= '9'; }
-
 /// Takes digits off the front; returns whether there was one.
 bool takeDigits(std::string_view& text) {
-  const auto end = std::ranges::find_if_not(text, isDigit);
-  const auto count = static_cast<std::size_t>(end - text.begin());
+  const std::size_t count = std::min(text.find_first_not_of("0123456789"), text.size());
   text.remove_prefix(count);
   return count > 0;
 }
@@ -29,11 +24,8 @@ bool hasValue(std::string_view number) {
 }  // namespace
 
 bool isJsonInteger(std::string_view text) {
-  std::int64_t value = 0;
-  const char* const last = text.data() + text.size();
-  const auto [stop, error] = std::from_chars(text.data(), last, value);
   const std::string_view digits = text.substr(text.starts_with('-') ? 1 : 0);
-  return stop == last && error == std::errc() && (digits.size() == 1 || !digits.starts_with('0'));
+  return parseInteger(text) && (digits.size() == 1 || !digits.starts_with('0'));
 }
 
 bool isJsonNumber(std::string_view text) {
@@ -68,8 +60,7 @@ void Attribute::add(std::optional<std::string_view> value) {
 Attribute Attribute::rewritten(AttributeType type, std::string (*rewrite)(std::string_view)) const {
   Attribute all(name_, type);
   for (std::size_t site = 0; site < size(); ++site) {
-    const auto value = at(site);
-    if (value) {
+    if (const auto value = at(site)) {
       all.add(rewrite(*value));
     } else {
       all.add(std::nullopt);

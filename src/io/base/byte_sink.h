@@ -3,10 +3,13 @@
 #pragma once
 
 #include <functional>
+#include <new>
+#include <stdexcept>
 #include <string>
 #include <string_view>
 #include <utility>
 
+#include "io/base/error.h"
 #include "vorpipe.h"
 
 namespace vorpipe {
@@ -35,7 +38,14 @@ class ByteSink {
 class MemorySink final : public ByteSink {
  public:
   explicit MemorySink(std::string name) : ByteSink(std::move(name)) {}
-  Result<void> write(std::string_view bytes) override;
+  Result<void> write(std::string_view bytes) override try {
+    bytes_.append(bytes);
+    return {};
+  } catch (const std::bad_alloc&) {
+    return deviceError(name() + ": there is not enough memory for its bytes");
+  } catch (const std::length_error&) {
+    return deviceError(name() + ": has more bytes than memory can hold");
+  }
 
   [[nodiscard]] const std::string& bytes() const { return bytes_; }
   /// Returns the bytes and leaves the sink empty.
@@ -53,7 +63,10 @@ class CallbackSink final : public ByteSink {
   using Callback = std::function<bool(std::string_view bytes)>;
   CallbackSink(std::string name, Callback callback)
       : ByteSink(std::move(name)), callback_(std::move(callback)) {}
-  Result<void> write(std::string_view bytes) override;
+  Result<void> write(std::string_view bytes) override {
+    if (bytes.empty() || callback_(bytes)) return {};
+    return deviceError(name() + ": writing stopped: the callback that takes its bytes returned false");
+  }
 
  private:
   Callback callback_;

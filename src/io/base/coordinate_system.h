@@ -1,4 +1,4 @@
-/// Kind of an input's coordinates.
+/// Coordinate systems of inputs, and their definitions in well-known text.
 #pragma once
 
 #include <cstdint>
@@ -37,7 +37,8 @@ inline CoordinateSystem wgs84() { return {CoordinateKind::degrees, "EPSG", 4326,
 CoordinateSystem systemOfCode(std::int64_t code);
 
 /// Returns the system that a text names: EPSG:25832 or OGC:CRS84, either also as a URN or an opengis.net
-/// address; a bare EPSG code; or a WKT definition (systemOfWkt). Error: it names none.
+/// address; a bare EPSG code; or a definition in well-known text, version 1, ESRI's variant or version 2.
+/// Error: it names none.
 tl::expected<CoordinateSystem, std::string> systemNamed(std::string_view text);
 
 /// Whether the system has a code or a definition, not only a kind.
@@ -59,5 +60,13 @@ enum class SystemsAre : std::uint8_t {
   different
 };
 SystemsAre compared(const CoordinateSystem& a, const CoordinateSystem& b);
+
+/// The kind of the system that text defines.
+CoordinateKind kindOfWkt(std::string_view definition);
+
+/// Reads the .prj beside a file, "towns.prj" for "towns.csv" and "towns.csv.gz", if it exists and nothing
+/// else names the file's system. `system` is the file's, and gets what is read. Errors (input): the .prj is
+/// no WKT definition, or its kind of coordinates differs from that of `system`.
+Result<void> readSystemBeside(const std::string& path, CoordinateSystem& system);
 
 }  // namespace vorpipe

@@ -4,24 +4,73 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <cstddef>
 #include <new>
 #include <utility>
 
 #include "base/try.h"
-#include "io/base/csv_dialect.h"
 #include "io/base/error.h"
 #include "io/base/number.h"
 
 namespace vorpipe {
+namespace {
+
+constexpr std::string_view separators = ",;\t";
+
+/// Returns how often a character occurs outside quotes.
+std::size_t countOf(std::string_view line, char separator) {
+  bool quoted = false;
+  std::size_t count = 0;
+  for (const char c : line) {
+    if (c == '"') quoted = !quoted;
+    if (c == separator && !quoted) ++count;
+  }
+  return count;
+}
+
+/// Whether it separates two or more numbers.
+bool separatesNumbers(std::string_view line, char separator) {
+  std::size_t count = 0;
+  while (true) {
+    const std::size_t end = std::min(line.find(separator), line.size());
+    const std::string_view field = line.substr(0, end);
+    const bool number = separator == ',' ? parseNumber(field).has_value() : parseDecimal(field).has_value();
+    if (!number) return false;
+    ++count;
+    if (end == line.size()) return count > 1;
+    line.remove_prefix(end + 1);
+  }
+}
+
+/// Returns the separator of a line's fields: comma, semicolon or tab. Prefers one with only numbers between,
+/// which may have decimal commas unless it is a comma. Otherwise returns the most frequent one; a comma if
+/// there is none.
+char separatorOf(std::string_view line) {
+  // In "1,5;2,5" counting does not help: it has as many commas as fields.
+  for (const char separator : {';', '\t'}) {
+    if (separatesNumbers(line, separator)) return separator;
+  }
+  return *std::ranges::max_element(separators, {}, [line](char c) { return countOf(line, c); });
+}
+
+/// Returns the separator that a line "sep=;" names; spreadsheets write it as the first line.
+std::optional<char> namedSeparator(std::string_view line) {
+  constexpr std::string_view name = "sep=";
+  // A tab at the end may be the separator; spreadsheets quote the whole line.
+  line.remove_prefix(std::min(line.find_first_not_of(" \t"), line.size()));
+  while (line.size() > name.size() + 1 && (line.back() == ' ' || line.back() == '\t')) line.remove_suffix(1);
+  if (line.size() == name.size() + 3 && line.front() == '"' && line.back() == '"')
+    line = line.substr(1, name.size() + 1);
+  const bool named = line.size() == name.size() + 1 && lowerCase(line.substr(0, name.size())) == name;
+  if (!named || separators.find(line.back()) == std::string_view::npos) return std::nullopt;
+  return line.back();
+}
+
+}  // namespace
 
 void CsvReader::Free::operator()(csv_parser* parser) const {
   csv_free(parser);
   delete parser;
-}
-
-CsvReader::CsvReader(LineReader lines, Parser parser, std::optional<char> separator)
-    : lines_(std::move(lines)), parser_(std::move(parser)) {
-  if (separator) setSeparator(*separator);
 }
 
 void CsvReader::setSeparator(char separator) {
@@ -31,24 +80,16 @@ void CsvReader::setSeparator(char separator) {
 
 CsvReader::Parser CsvReader::makeParser() {
   auto raw = std::make_unique<csv_parser>();
-  if (csv_init(raw.get(), CSV_STRICT | CSV_STRICT_FINI) != 0) {
-    return nullptr;
-  }
+  if (csv_init(raw.get(), CSV_STRICT | CSV_STRICT_FINI) != 0) return nullptr;
   return Parser(raw.release());
 }
 
 Result<CsvReader> CsvReader::create(LineReader lines, std::optional<char> separator) {
   Parser parser = makeParser();
-  if (!parser) {
-    return deviceError(lines.name() + ": out of memory");
-  }
-  return CsvReader(std::move(lines), std::move(parser), separator);
-}
-
-void CsvReader::Record::clear() {
-  text.clear();
-  ends.clear();
-  complete = false;
+  if (!parser) return deviceError(lines.name() + ": out of memory");
+  CsvReader reader(std::move(lines), std::move(parser));
+  if (separator) reader.setSeparator(*separator);
+  return reader;
 }
 
 // C code calls the callbacks, and no exception may cross it.
@@ -116,20 +157,16 @@ Result<bool> CsvReader::isRecord(std::string_view line) {
 }
 
 Result<bool> CsvReader::next() {
-  record_.clear();
+  record_.text.clear();
+  record_.ends.clear();
+  record_.complete = false;
   earlier_.clear();
   while (true) {
     line_ = {};
     const auto line = lines_.next();
-    if (!line) {
-      return tl::unexpected(line.error());
-    }
-    if (!*line && earlier_.empty()) {
-      return false;
-    }
-    if (!*line) {
-      return errorAt(fields(), "the quoted field that begins here does not end");
-    }
+    if (!line) return tl::unexpected(line.error());
+    if (!*line && earlier_.empty()) return false;
+    if (!*line) return errorAt(fields(), "the quoted field that begins here does not end");
     if (earlier_.size() > LineReader::longest_line) {
       return errorAt(fields(), fmt::format("the quoted field that begins here is longer than {} bytes",
                                            LineReader::longest_line));
@@ -153,16 +190,12 @@ Result<bool> CsvReader::next() {
 std::size_t CsvReader::fieldBegin(std::size_t index) const {
   const std::string record = earlier_ + std::string(line_);
   const Parser parser = makeParser();
-  if (!parser || index == 0) {
-    return 0;
-  }
+  if (!parser || index == 0) return 0;
   csv_set_delim(parser.get(), static_cast<unsigned char>(separator()));
   Record replay;
   for (std::size_t i = 0; i < record.size(); ++i) {
     csv_parse(parser.get(), &record[i], 1, onField, onRecordEnd, &replay);
-    if (replay.ends.size() == index) {
-      return i + 1;
-    }
+    if (replay.ends.size() == index) return i + 1;
   }
   return record.size();
 }

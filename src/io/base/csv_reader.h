@@ -7,6 +7,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "io/base/line_reader.h"
@@ -61,10 +62,9 @@ class CsvReader {
     std::vector<std::size_t> ends;  ///< where each ends in text
     bool complete = false;
     bool out_of_memory = false;
-    void clear();
   };
 
-  CsvReader(LineReader lines, Parser parser, std::optional<char> separator);
+  CsvReader(LineReader lines, Parser parser) : lines_(std::move(lines)), parser_(std::move(parser)) {}
   static Parser makeParser();
   Result<bool> isRecord(std::string_view line);
   void setSeparator(char separator);

@@ -6,14 +6,15 @@
 
 #include <algorithm>
 #include <array>
-#include <cctype>
 #include <new>
 #include <span>
 
+#include "base/try.h"
+#include "io/base/coordinate_system.h"
 #include "io/base/error.h"
 #include "io/base/input_file.h"
+#include "io/base/number.h"
 #include "io/base/quoted.h"
-#include "io/base/wkt_system.h"
 
 namespace vorpipe {
 namespace {
@@ -24,12 +25,6 @@ std::string textOf(sqlite3_stmt* row, int column) {
   const auto* const text = reinterpret_cast<const char*>(sqlite3_column_text(row, column));
   return text == nullptr ? std::string()
                          : std::string(text, static_cast<std::size_t>(sqlite3_column_bytes(row, column)));
-}
-
-std::string upperCase(std::string text) {
-  std::ranges::transform(text, text.begin(),
-                         [](unsigned char c) { return static_cast<char>(std::toupper(c)); });
-  return text;
 }
 
 /// Whether a column of this type holds bytes, as additional geometries do, whose types are names of
@@ -118,14 +113,15 @@ Result<void> FeatureLayer::openDatabase() {
   if (!std::string_view(header.data(), *got).starts_with(sqlite_magic)) {
     return inputError(fmt::format("{}: is no GeoPackage: it does not begin with \"SQLite format 3\"", path_));
   }
-  const std::string place = placeOf(path_, header);
+  const std::string address = sqliteAddress(path_, header);
   sqlite3* database = nullptr;
-  const int code = sqlite3_open_v2(place.c_str(), &database, SQLITE_OPEN_READONLY | SQLITE_OPEN_URI, nullptr);
+  const int code =
+      sqlite3_open_v2(address.c_str(), &database, SQLITE_OPEN_READONLY | SQLITE_OPEN_URI, nullptr);
   database_.reset(database);
   if (database == nullptr) throw std::bad_alloc();
   if (code != SQLITE_OK) return failed(code);
-  const int held = limits_->hold(database, file->size().value_or(0));
-  return held == SQLITE_OK ? Result<void>() : failed(held);
+  const int limited = limits_->apply(database, file->size().value_or(0));
+  return limited == SQLITE_OK ? Result<void>() : failed(limited);
 }
 
 Result<Statement> FeatureLayer::prepare(const std::string& sql, std::string_view parameter) const {
@@ -147,21 +143,27 @@ Result<bool> FeatureLayer::step(const Statement& statement) const {
   return failed(code);
 }
 
-Result<void> FeatureLayer::chooseLayer(const std::string& name, LayerOf kind) {
-  auto statement = prepare(
-      "SELECT c.table_name, g.column_name, upper(g.geometry_type_name), g.srs_id FROM gpkg_contents c"
-      " JOIN gpkg_geometry_columns g ON g.table_name = c.table_name WHERE c.data_type = 'features' ORDER BY "
-      "1",
-      {});
+template <class Use>
+Result<void> FeatureLayer::eachRow(const std::string& sql, std::string_view parameter, const Use& use) const {
+  const auto statement = prepare(sql, parameter);
   if (!statement) return tl::unexpected(statement.error());
-  std::vector<Listed> layers, chosen;
   while (true) {
     const auto more = step(*statement);
     if (!more) return tl::unexpected(more.error());
-    if (!*more) break;
-    sqlite3_stmt* const row = statement->get();
-    layers.push_back({textOf(row, 0), textOf(row, 1), textOf(row, 2), sqlite3_column_int64(row, 3)});
+    if (!*more) return {};
+    use(statement->get());
   }
+}
+
+Result<void> FeatureLayer::chooseLayer(const std::string& name, LayerOf kind) {
+  std::vector<Listed> layers, chosen;
+  VORPIPE_TRY(eachRow(
+      "SELECT c.table_name, g.column_name, upper(g.geometry_type_name), g.srs_id FROM gpkg_contents c"
+      " JOIN gpkg_geometry_columns g ON g.table_name = c.table_name WHERE c.data_type = 'features' ORDER BY "
+      "1",
+      {}, [&](sqlite3_stmt* row) {
+        layers.push_back({textOf(row, 0), textOf(row, 1), textOf(row, 2), sqlite3_column_int64(row, 3)});
+      }));
   if (layers.empty()) return inputError(fmt::format("{}: has no layers of features", path_));
   const std::string_view what = kind == LayerOf::points ? "points" : "polygons";
   const auto choose = [&](const auto& which) {
@@ -189,15 +191,9 @@ Result<void> FeatureLayer::chooseLayer(const std::string& name, LayerOf kind) {
 }
 
 Result<void> FeatureLayer::findColumns() {
-  auto statement = prepare("SELECT name, upper(type) FROM pragma_table_info(?)", name_);
-  if (!statement) return tl::unexpected(statement.error());
   bool has_geometry = false;
-  while (true) {
-    const auto more = step(*statement);
-    if (!more) return tl::unexpected(more.error());
-    if (!*more) break;
-    std::string column = textOf(statement->get(), 0);
-    std::string type = textOf(statement->get(), 1);
+  const auto add = [&](sqlite3_stmt* row) {
+    std::string column = textOf(row, 0), type = textOf(row, 1);
     type.resize(std::min(type.find('('), type.size()));  // TEXT(20)
     if (upperCase(column) == upperCase(geometry_column_)) {
       has_geometry = true;
@@ -206,7 +202,8 @@ Result<void> FeatureLayer::findColumns() {
     } else {
       columns_.push_back({std::move(column), typeOf(type)});
     }
-  }
+  };
+  VORPIPE_TRY(eachRow("SELECT name, upper(type) FROM pragma_table_info(?)", name_, add));
   if (has_geometry) return {};
   return inputError(
       fmt::format("{}: its layer {} has no column {}", path_, inQuotes(name_), inQuotes(geometry_column_)));
@@ -218,21 +215,16 @@ Result<void> FeatureLayer::findSystem() {
     system_.kind = system_id_ == plane ? CoordinateKind::plane : CoordinateKind::degrees;
     return {};
   }
-  auto statement = prepare(
+  return eachRow(
       "SELECT organization, organization_coordsys_id, definition FROM gpkg_spatial_ref_sys"
-      " WHERE srs_id = CAST(? AS INTEGER)",
-      std::to_string(system_id_));
-  if (!statement) return tl::unexpected(statement.error());
-  const auto found = step(*statement);
-  if (!found) return tl::unexpected(found.error());
-  if (!*found) return {};
-  sqlite3_stmt* const row = statement->get();
-  system_.organization = upperCase(textOf(row, 0));
-  system_.code = sqlite3_column_int64(row, 1);
-  system_.definition = textOf(row, 2);
-  if (system_.definition == "undefined") system_.definition.clear();
-  system_.kind = kindOf(system_);
-  return {};
+      " WHERE srs_id = CAST(? AS INTEGER) LIMIT 1",
+      std::to_string(system_id_), [this](sqlite3_stmt* row) {
+        system_.organization = upperCase(textOf(row, 0));
+        system_.code = sqlite3_column_int64(row, 1);
+        system_.definition = textOf(row, 2);
+        if (system_.definition == "undefined") system_.definition.clear();
+        system_.kind = kindOf(system_);
+      });
 }
 
 Result<void> FeatureLayer::select() {
@@ -246,12 +238,11 @@ Result<void> FeatureLayer::select() {
 
 Result<FeatureLayer> FeatureLayer::open(const std::string& path, const std::string& name, LayerOf kind) {
   FeatureLayer layer(path);
-  auto opened = layer.openDatabase()
-                    .and_then([&] { return layer.chooseLayer(name, kind); })
-                    .and_then([&] { return layer.findColumns(); })
-                    .and_then([&] { return layer.findSystem(); })
-                    .and_then([&] { return layer.select(); });
-  if (!opened) return tl::unexpected(std::move(opened.error()));
+  VORPIPE_TRY(layer.openDatabase());
+  VORPIPE_TRY(layer.chooseLayer(name, kind));
+  VORPIPE_TRY(layer.findColumns());
+  VORPIPE_TRY(layer.findSystem());
+  VORPIPE_TRY(layer.select());
   return layer;
 }
 

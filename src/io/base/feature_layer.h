@@ -12,7 +12,6 @@
 
 #include "io/base/attribute.h"
 #include "io/base/coordinate_system.h"
-#include "io/base/query_limits.h"
 #include "io/base/sqlite.h"
 #include "vorpipe.h"
 
@@ -56,6 +55,8 @@ class FeatureLayer {
   Result<void> openDatabase();
   Result<Statement> prepare(const std::string& sql, std::string_view parameter) const;
   Result<bool> step(const Statement& statement) const;
+  template <class Use>
+  Result<void> eachRow(const std::string& sql, std::string_view parameter, const Use& use) const;
   Result<void> chooseLayer(const std::string& name, LayerOf kind);
   Result<void> findColumns();
   Result<void> findSystem();

@@ -1,10 +1,10 @@
 #include "io/base/field_text.h"
 
-#include <algorithm>
 #include <nlohmann/json.hpp>
 
-#include "io/base/json_text.h"
-#include "io/base/utf8.h"
+#include <algorithm>
+
+#include "io/base/quoted.h"
 
 namespace vorpipe {
 namespace {
@@ -27,11 +27,16 @@ bool needsQuotes(std::string_view field) {
 
 }  // namespace
 
+std::string jsonText(const nlohmann::ordered_json& json, int indent) {
+  return json.dump(indent, ' ', false, nlohmann::json::error_handler_t::replace) + "\n";
+}
+
+std::string jsonString(std::string_view text) {
+  return nlohmann::json(text).dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
+}
+
 void printCsvField(Bytes& text, std::string_view field) {
-  if (!needsQuotes(field)) {
-    text.append(field);
-    return;
-  }
+  if (!needsQuotes(field)) return text.append(field);
   text.push_back('"');
   for (const char c : field) {
     if (c == '"') text.push_back('"');
@@ -41,10 +46,7 @@ void printCsvField(Bytes& text, std::string_view field) {
 }
 
 void printJsonString(Bytes& text, std::string_view string) {
-  if (!std::ranges::all_of(string, isPlain)) {
-    text.append(jsonString(string));
-    return;
-  }
+  if (!std::ranges::all_of(string, isPlain)) return text.append(jsonString(string));
   text.push_back('"');
   text.append(string);
   text.push_back('"');

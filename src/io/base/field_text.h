@@ -1,10 +1,16 @@
-/// Writes any text as a field of a file.
+/// Text of CSV, JSON and GeoJSON. The JSON library's writer, which takes long to compile, stays in the source.
 #pragma once
 
+#include <nlohmann/json_fwd.hpp>
+
+#include <cstddef>
+#include <cstdint>
 #include <string>
 #include <string_view>
 
+#include "base/try.h"
 #include "io/base/print.h"
+#include "vorpipe.h"
 
 namespace vorpipe {
 
@@ -17,5 +23,46 @@ void printJsonString(Bytes& text, std::string_view string);
 
 /// Returns `text` with invalid UTF-8 replaced.
 std::string utf8Of(std::string_view text);
+
+/// Returns JSON as text with a final line end. Invalid UTF-8 is replaced: a driver's name may hold any bytes.
+std::string jsonText(const nlohmann::ordered_json& json, int indent);
+
+/// Returns UTF-8 text as a JSON string in double quotes.
+std::string jsonString(std::string_view text);
+
+inline constexpr ListText json_list{"[", ",", "]"};
+
+/// Appends a position.
+inline void printJsonPoint(Bytes& text, const Point& point) {
+  print(text, FMT_COMPILE("[{},{}]"), point.x, point.y);
+}
+
+enum class FeaturesAs : std::uint8_t {
+  collection,  ///< one object of GeoJSON
+  lines,       ///< GeoJSONSeq without record separators, as GDAL, PostGIS and tile makers stream it
+};
+
+/// Writes the feature that `put(bytes, index)` appends for each index below `count`; put returns false if it
+/// appends none. Calls put as writeEach() does. Error (device): writing failed.
+template <class Put>
+Result<void> writeFeatures(ByteSink& sink, FeaturesAs as, std::size_t count, const Put& put, int threads) {
+  const bool lines = as == FeaturesAs::lines;
+  if (!lines) {
+    VORPIPE_TRY(sink.write(R"({"type":"FeatureCollection","features":[)"));
+  }
+  const auto putFeature = [&](Bytes& text, std::size_t index) {
+    const std::size_t before = text.size();
+    if (!lines) text.append(std::string_view(",\n"));
+    if (!put(text, index)) {
+      text.resize(before);
+    } else if (lines) {
+      text.push_back('\n');
+    }
+  };
+  const std::size_t first_comma = lines ? 0 : 1;
+  auto written = writeEach(sink, count, putFeature, threads, first_comma);
+  if (!written || lines) return written;
+  return sink.write("\n]}\n");
+}
 
 }  // namespace vorpipe

@@ -1,27 +1,81 @@
 /// GeoPackages: SQLite databases with features, by OGC 12-128r17 (version 1.3).
 #pragma once
 
+#include <algorithm>
+#include <bit>
+#include <cstddef>
 #include <cstdint>
 #include <functional>
+#include <limits>
 #include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "io/base/attribute.h"
 #include "io/base/byte_sink.h"
 #include "io/base/coordinate_system.h"
-#include "io/base/wkb.h"
+#include "io/base/print.h"
 #include "vorpipe.h"
 
 struct sqlite3_stmt;
 
 namespace vorpipe {
 
-enum class FieldType : std::uint8_t { integer, real, boolean, text };
+/// The codes of well-known binary.
+enum class GeometryType : std::uint32_t { point = 1, line_string = 2, polygon = 3, multi_polygon = 6 };
+
+/// A geometry under construction: types and counts are added in the order of well-known binary. The box is
+/// that of all points so far.
+class Wkb {
+ public:
+  /// Begins a geometry of `count` parts: polygons, rings or points.
+  void begin(GeometryType type, std::size_t count) {
+    beginType(type);
+    append(static_cast<std::uint32_t>(count));
+  }
+  /// The whole geometry of a point.
+  void addPoint(const Point& point) {
+    beginType(GeometryType::point);
+    add(point);
+  }
+  /// Begins a ring of `count` points.
+  void beginRing(std::size_t count) { append(static_cast<std::uint32_t>(count)); }
+  void add(const Point& point) {
+    append(point.x);
+    append(point.y);
+    box_ = {std::min(box_.xmin, point.x), std::min(box_.ymin, point.y), std::max(box_.xmax, point.x),
+            std::max(box_.ymax, point.y)};
+  }
+  void clear() {
+    bytes_.clear();
+    box_ = nowhere;
+  }
+
+  [[nodiscard]] std::string_view bytes() const { return {bytes_.data(), bytes_.size()}; }
+  [[nodiscard]] const Box& box() const { return box_; }
+
+ private:
+  void beginType(GeometryType type) {
+    constexpr char little_endian = 1;
+    bytes_.push_back(little_endian);
+    append(static_cast<std::uint32_t>(type));
+  }
+  template <class Number>
+  void append(Number number) {
+    appendNumber<std::endian::little>(bytes_, number);
+  }
+
+  static constexpr double infinity = std::numeric_limits<double>::infinity();
+  static constexpr Box nowhere{infinity, infinity, -infinity, -infinity};
+
+  Bytes bytes_;
+  Box box_ = nowhere;
+};
 
 struct LayerField {
   std::string name;
-  FieldType type;
+  AttributeType type;  ///< json is written as text
 };
 
 /// A table of features: the key `fid`, from 1; the geometry `geom`; then the fields, whose names differ in
@@ -51,7 +105,6 @@ class FeatureRow {
 
  private:
   void note(int code);
-  int next() { return ++column_; }
 
   sqlite3_stmt* insertion_;
   std::int32_t system_;  ///< srs_id
@@ -59,6 +112,9 @@ class FeatureRow {
   int code_ = 0;
   std::optional<Box> box_;
 };
+
+/// Adds a site's value to its row; NULL if it is missing.
+void addValue(FeatureRow& row, const Attribute& attribute, std::size_t site);
 
 /// Fills the row of the feature `index`; returns false to leave it out.
 using FillRow = std::function<bool(std::size_t index, FeatureRow& row)>;

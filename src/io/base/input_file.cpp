@@ -4,67 +4,57 @@
 #include <fmt/core.h>
 #include <sys/stat.h>
 #include <unistd.h>
+#include <zlib.h>
 
 #include <algorithm>
 #include <cerrno>
+#include <limits>
 #include <utility>
+#include <vector>
 
 #include "base/try.h"
 #include "io/base/error.h"
-#include "io/base/memory_room.h"
 #include "io/base/read_log.h"
 
 namespace vorpipe {
 
-InputFile::InputFile(int descriptor, std::string name, std::optional<std::uint64_t> size)
-    : descriptor_(descriptor), name_(std::move(name)), size_(size) {}
+struct InputFile::Inflater {
+  z_stream stream{};
+  std::vector<char> packed;
+  bool between = false;  ///< one of several gzip files has ended
 
-InputFile::InputFile(InputFile&& other) noexcept
-    : descriptor_(std::exchange(other.descriptor_, -1)),
-      name_(std::move(other.name_)),
-      size_(other.size_),
-      stored_size_(other.stored_size_),
-      begun_(other.begun_),
-      head_(other.head_),
-      head_begin_(other.head_begin_),
-      head_end_(other.head_end_),
-      inflater_(std::move(other.inflater_)),
-      hash_(std::move(other.hash_)) {}
+  Inflater() : packed(std::size_t{1} << 16) {}
+  Inflater(const Inflater&) = delete;
+  Inflater& operator=(const Inflater&) = delete;
+  ~Inflater() { inflateEnd(&stream); }
+};
 
-InputFile& InputFile::operator=(InputFile&& other) noexcept {
-  std::swap(descriptor_, other.descriptor_);
-  std::swap(name_, other.name_);
-  std::swap(size_, other.size_);
-  std::swap(stored_size_, other.stored_size_);
-  std::swap(begun_, other.begun_);
-  std::swap(head_, other.head_);
-  std::swap(head_begin_, other.head_begin_);
-  std::swap(head_end_, other.head_end_);
-  std::swap(inflater_, other.inflater_);
-  std::swap(hash_, other.hash_);
+InputFile::Descriptor::Descriptor(Descriptor&& other) noexcept : number(std::exchange(other.number, -1)) {}
+
+InputFile::Descriptor& InputFile::Descriptor::operator=(Descriptor&& other) noexcept {
+  std::swap(number, other.number);
   return *this;
 }
 
-InputFile::~InputFile() {
-  if (descriptor_ > STDIN_FILENO) {
-    ::close(descriptor_);
-  }
+InputFile::Descriptor::~Descriptor() {
+  if (number > STDIN_FILENO) ::close(number);
 }
+
+InputFile::InputFile(int descriptor, std::string name) : descriptor_(descriptor), name_(std::move(name)) {}
+InputFile::InputFile(InputFile&& other) noexcept = default;
+InputFile& InputFile::operator=(InputFile&& other) noexcept = default;
+InputFile::~InputFile() = default;
 
 Result<InputFile> InputFile::open(const std::string& path) {
   const bool standard = path == "-";
   const int descriptor = standard ? STDIN_FILENO : ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
-  if (descriptor < 0) {
-    return systemError(ErrorCode::input, path, "cannot be read", errno);
-  }
-  InputFile file(descriptor, standard ? "<stdin>" : path, std::nullopt);
+  if (descriptor < 0) return systemError(ErrorCode::input, path, "cannot be read", errno);
+  InputFile file(descriptor, standard ? "<stdin>" : path);
   struct stat status {};
   if (::fstat(descriptor, &status) != 0) {
     return systemError(ErrorCode::input, file.name_, "cannot be read", errno);
   }
-  if (S_ISDIR(status.st_mode)) {
-    return inputError(file.name_ + ": is a directory; a file is needed");
-  }
+  if (S_ISDIR(status.st_mode)) return inputError(file.name_ + ": is a directory; a file is needed");
   if (S_ISREG(status.st_mode) && !standard) {
     file.size_ = file.stored_size_ = static_cast<std::uint64_t>(status.st_size);
   }
@@ -74,18 +64,18 @@ Result<InputFile> InputFile::open(const std::string& path) {
 
 std::optional<std::uint64_t> InputFile::mostBytes() const {
   if (size_ || !stored_size_) return size_;
-  return *stored_size_ * Inflater::largest_ratio;
+  return *stored_size_ * largest_inflation;
 }
 
 Result<void> InputFile::begin() {
+  constexpr int gzip_window = 15 + 16;  // the largest window, with header and checksums of gzip
   begun_ = true;
   const auto got = readBytes(head_);
   if (!got) return tl::unexpected(got.error());
   head_end_ = *got;
-  if (!Inflater::isGzip(std::span(head_).first(head_end_))) return {};
-  auto inflater = Inflater::create();
-  if (!inflater) return deviceError(fmt::format("{}: {}", name_, inflater.error().message));
-  inflater_ = std::move(*inflater);
+  if (head_end_ < head_.size() || head_[0] != '\x1F' || head_[1] != '\x8B') return {};
+  inflater_ = std::make_unique<Inflater>();
+  if (inflateInit2(&inflater_->stream, gzip_window) != Z_OK) return deviceError(name_ + ": out of memory");
   size_ = std::nullopt;
   return {};
 }
@@ -94,9 +84,37 @@ Result<std::size_t> InputFile::read(std::span<char> bytes) {
   if (!begun_) {
     VORPIPE_TRY(begin());
   }
-  if (!inflater_) return readAsIs(bytes);
-  return inflater_->read(
-      bytes, [this](std::span<char> packed) { return readAsIs(packed); }, name_);
+  return inflater_ ? inflate(bytes) : readAsIs(bytes);
+}
+
+/// Fills `bytes` unless the file ends first. Concatenated gzip files count as one.
+Result<std::size_t> InputFile::inflate(std::span<char> bytes) {
+  auto& [stream, packed, between] = *inflater_;
+  std::size_t count = 0;
+  while (count < bytes.size()) {
+    if (stream.avail_in == 0) {
+      const auto got = readAsIs(packed);
+      if (!got) return tl::unexpected(got.error());
+      if (*got == 0 && between) return count;
+      if (*got == 0) return inputError(name_ + ": is truncated: its gzip data end too early");
+      stream.next_in = reinterpret_cast<Bytef*>(packed.data());
+      stream.avail_in = static_cast<uInt>(*got);
+    }
+    if (std::exchange(between, false)) inflateReset(&stream);
+    const std::size_t room = std::min<std::size_t>(bytes.size() - count, std::numeric_limits<uInt>::max());
+    stream.next_out = reinterpret_cast<Bytef*>(bytes.data() + count);
+    stream.avail_out = static_cast<uInt>(room);
+    const int code = ::inflate(&stream, Z_NO_FLUSH);
+    count += room - stream.avail_out;
+    if (code == Z_MEM_ERROR) return deviceError(name_ + ": out of memory");
+    if (code == Z_STREAM_END) {
+      between = true;
+    } else if (code != Z_OK && code != Z_BUF_ERROR) {
+      return inputError(fmt::format("{}: its gzip data are damaged: {}", name_,
+                                    stream.msg == nullptr ? "cannot be inflated" : stream.msg));
+    }
+  }
+  return count;
 }
 
 /// Returns the head first, which was already read.
@@ -110,10 +128,8 @@ Result<std::size_t> InputFile::readAsIs(std::span<char> bytes) {
 Result<std::size_t> InputFile::readBytes(std::span<char> bytes) {
   std::size_t count = 0;
   while (count < bytes.size()) {
-    const ssize_t got = ::read(descriptor_, bytes.data() + count, bytes.size() - count);
-    if (got == 0) {
-      break;
-    }
+    const ssize_t got = ::read(descriptor_.number, bytes.data() + count, bytes.size() - count);
+    if (got == 0) break;
     if (got > 0) {
       if (hash_) hash_->add({bytes.data() + count, static_cast<std::size_t>(got)});
       count += static_cast<std::size_t>(got);
@@ -131,8 +147,7 @@ Result<std::string> readText(InputFile& file, std::size_t most) {
     const std::size_t size = text.size();
     // Growing a text copies it.
     if (size == text.capacity()) {
-      auto room = checkRoom(file.name(), fmt::format("first {} MB", size >> 20), 3 * size);
-      if (!room) return tl::unexpected(std::move(room.error()));
+      VORPIPE_TRY(checkRoom(file.name(), fmt::format("first {} MB", size >> 20), 3 * size));
     }
     text.resize(size + chunk);
     const auto got = file.read(std::span(text).subspan(size));
@@ -144,6 +159,15 @@ Result<std::string> readText(InputFile& file, std::size_t most) {
     }
     if (*got < chunk) return text;
   }
+}
+
+Result<void> checkRoom(std::string_view name, std::string_view what, std::uint64_t bytes) {
+  constexpr double gigabyte = 1e9;
+  const MemoryLimit limit = systemMemoryLimit();
+  if (bytes <= limit.bytes) return {};
+  return inputError(fmt::format("{}: its {} need about {:.1f} GB of memory, {:.1f} GB are {}", name, what,
+                                static_cast<double>(bytes) / gigabyte,
+                                static_cast<double>(limit.bytes) / gigabyte, limit.what));
 }
 
 }  // namespace vorpipe

@@ -8,13 +8,16 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <string_view>
 
-#include "io/base/inflater.h"
 #include "vorpipe.h"
 
 namespace vorpipe {
 
 class ContentHash;
+
+/// One deflated byte inflates to at most this many.
+inline constexpr std::uint64_t largest_inflation = 1032;
 
 class InputFile {
  public:
@@ -40,22 +43,37 @@ class InputFile {
   [[nodiscard]] const std::string& name() const { return name_; }
 
  private:
-  InputFile(int descriptor, std::string name, std::optional<std::uint64_t> size);
+  /// Closes itself, unless it is standard input.
+  struct Descriptor {
+    int number;
+    explicit Descriptor(int opened) : number(opened) {}
+    Descriptor(Descriptor&& other) noexcept;
+    Descriptor& operator=(Descriptor&& other) noexcept;
+    ~Descriptor();
+  };
+  struct Inflater;
+
+  InputFile(int descriptor, std::string name);
   Result<void> begin();
   Result<std::size_t> readBytes(std::span<char> bytes);
+  Result<std::size_t> inflate(std::span<char> bytes);
 
-  int descriptor_;
+  Descriptor descriptor_;
   std::string name_;
   std::optional<std::uint64_t> size_, stored_size_;  ///< stored_size_: before gzip is inflated
   bool begun_ = false;
   std::array<char, 2> head_{};  ///< the first bytes, which identify gzip
   std::size_t head_begin_ = 0, head_end_ = 0;
-  std::optional<Inflater> inflater_;
+  std::unique_ptr<Inflater> inflater_;
   std::shared_ptr<ContentHash> hash_;  ///< of a stream noted by a ReadLog
 };
 
 /// Returns the rest of a file. Errors: those of reading; more than `most` bytes, or more than memory holds
 /// (input).
 Result<std::string> readText(InputFile& file, std::size_t most = std::string::npos);
+
+/// Checks before allocation. Error (input): `bytes` is more than this process may allocate; "NAME: its WHAT
+/// need about ...".
+Result<void> checkRoom(std::string_view name, std::string_view what, std::uint64_t bytes);
 
 }  // namespace vorpipe

@@ -1,19 +1,128 @@
-/// Parses JSON while reading it. Including this header compiles the parser.
+/// Parses JSON while reading it: one text, or one per line. Including this header compiles the parser.
 #pragma once
 
 #include <fmt/core.h>
+#include <nlohmann/json.hpp>
 
 #include <array>
 #include <cstddef>
-#include <nlohmann/json.hpp>
+#include <cstdint>
+#include <iterator>
 #include <optional>
 #include <string>
 #include <string_view>
 #include <utility>
+#include <vector>
 
-#include "io/base/json_bytes.h"
+#include "io/base/error.h"
+#include "io/base/input_file.h"
+#include "io/base/line_reader.h"
+#include "io/base/number.h"
 
 namespace vorpipe {
+
+/// Bytes of a text, one by one, with the line and column of the last one.
+class JsonBytes {
+ public:
+  /// `name` begins error messages; for a file, its own name does.
+  JsonBytes(std::string name, std::string_view text)
+      : name_(std::move(name)), next_(text.data()), end_(text.data() + text.size()) {}
+  explicit JsonBytes(InputFile& file) : name_(file.name()), file_(&file), buffer_(chunk) {}
+
+  /// Sets the line of the first byte, and the number of bytes before it on that line.
+  void setPlace(std::uint64_t line, std::uint64_t before) {
+    line_ = line;
+    before_ = before;
+  }
+
+  /// Whether all bytes were taken or stop() was called.
+  bool atEnd() { return next_ == end_ && !refill(); }
+  /// The next byte; call only before the end.
+  [[nodiscard]] char next() const { return *next_; }
+  void take() {
+    const char c = *next_++;
+    count(c);
+    const bool in_number = isInNumbers(c);
+    if (in_number && !in_number_) {
+      number_line_ = line_;
+      number_column_ = column();
+    }
+    in_number_ = in_number;
+    // The parser takes this byte for the end, whatever follows.
+    if (c == '\0') stop(errorAt(0, "is no JSON from here on: a byte is 0"));
+  }
+
+  /// Notes that the parsed text so far is not kept: what follows may take as much memory again.
+  void forget() { kept_from_ = count_; }
+
+  /// Ends the text here: the parser then fails, and parseJson returns this error.
+  void stop(tl::unexpected<Error> error);
+
+  /// Returns "NAME:LINE:COLUMN: what" as an input error about the byte `back` before the last, or about the
+  /// number read last.
+  [[nodiscard]] tl::unexpected<Error> errorAt(std::size_t back, std::string_view what) const;
+  [[nodiscard]] tl::unexpected<Error> errorAtNumber(std::string_view what) const;
+
+  [[nodiscard]] const std::string& name() const { return name_; }
+  /// Number of bytes taken; as in the parser, the end counts as one.
+  [[nodiscard]] std::uint64_t count() const { return count_; }
+  /// Why the text was stopped.
+  [[nodiscard]] const std::optional<Error>& error() const { return error_; }
+
+ private:
+  static constexpr std::size_t chunk = std::size_t{1} << 16;
+
+  static bool isInNumbers(char c) {
+    return (c >= '0' && c <= '9') || c == '-' || c == '+' || c == '.' || c == 'e' || c == 'E';
+  }
+  void count(char c) {
+    if (last_ == '\n') {
+      ++line_;
+      before_ = 0;
+      line_begin_ = count_;
+    }
+    ++count_;
+    last_ = c;
+  }
+  /// Column of the last byte.
+  [[nodiscard]] std::uint64_t column() const { return before_ + count_ - line_begin_; }
+  bool refill();
+  void checkKept();
+
+  std::string name_;
+  InputFile* file_ = nullptr;
+  std::vector<char> buffer_;
+  const char* next_ = nullptr;
+  const char* end_ = nullptr;
+  std::uint64_t count_ = 0, line_ = 1, before_ = 0, line_begin_ = 0;
+  std::uint64_t kept_from_ = 0;  ///< count_ at the start of what the parser keeps
+  std::uint64_t number_line_ = 1, number_column_ = 1;
+  char last_ = ' ';
+  bool in_number_ = false, at_end_ = false;
+  std::optional<Error> error_;
+};
+
+/// Iterator over JsonBytes for the parser.
+class JsonIterator {
+ public:
+  using iterator_category = std::input_iterator_tag;
+  using value_type = char;
+  using difference_type = std::ptrdiff_t;
+  using pointer = const char*;
+  using reference = char;
+
+  explicit JsonIterator(JsonBytes* bytes) : bytes_(bytes) {}
+  char operator*() const { return bytes_->next(); }
+  JsonIterator& operator++() {
+    bytes_->take();
+    return *this;
+  }
+  /// The other one is the end.
+  bool operator==(const JsonIterator& /*end*/) const { return bytes_->atEnd(); }
+
+ private:
+  JsonBytes* bytes_;
+};
 
 /// Items of JSON that is kept as a whole.
 struct NoItems {
@@ -32,27 +141,19 @@ class JsonBuilder {
   JsonBuilder(JsonBytes& bytes, Items& items) : bytes_(bytes), items_(items), top_builder_(top_) {}
 
   // Called by nlohmann::json's parser, which requires these names; false ends parsing.
-  bool null() {
-    return single([](Values& to) { return to.null(); });
-  }
-  bool boolean(bool value) {
-    return single([=](Values& to) { return to.boolean(value); });
-  }
+  bool null() { return single(&Values::null); }
+  bool boolean(bool value) { return single(&Values::boolean, value); }
   bool number_integer(typename Json::number_integer_t value) {
-    return single([=](Values& to) { return to.number_integer(value); });
+    return single(&Values::number_integer, value);
   }
   bool number_unsigned(typename Json::number_unsigned_t value) {
-    return single([=](Values& to) { return to.number_unsigned(value); });
+    return single(&Values::number_unsigned, value);
   }
   bool number_float(typename Json::number_float_t value, const std::string& text) {
-    return single([&](Values& to) { return to.number_float(value, text); });
+    return single(&Values::number_float, value, text);
   }
-  bool string(std::string& value) {
-    return single([&](Values& to) { return to.string(value); });
-  }
-  bool binary(typename Json::binary_t& value) {
-    return single([&](Values& to) { return to.binary(value); });
-  }
+  bool string(std::string& value) { return single(&Values::string, value); }
+  bool binary(typename Json::binary_t& value) { return single(&Values::binary, value); }
   bool start_object(std::size_t size) {
     if (!beginsItem()) return false;
     members_[depth_] = 0;
@@ -111,11 +212,11 @@ class JsonBuilder {
     item_builder_.reset();
     bytes_.forget();
     items_.take(std::as_const(item_));
-    return !bytes_.stopped();
+    return !bytes_.error();
   }
-  template <class Add>
-  bool single(const Add& add) {
-    return beginsItem() && add(values()) && endsItem();
+  template <class Add, class... Value>
+  bool single(Add add, Value&... value) {
+    return beginsItem() && (values().*add)(value...) && endsItem();
   }
   bool begin() {
     if (++depth_ <= deepest) return true;
@@ -151,6 +252,32 @@ template <class Json>
 Result<Json> parseJson(JsonBytes& bytes) {
   NoItems none;
   return parseJson<Json>(bytes, none);
+}
+
+/// Returns the JSON of a line, without the separator that RFC 8142 puts before it.
+inline std::string_view withoutSeparator(std::string_view line) {
+  line = trimmed(line);
+  return line.starts_with('\x1E') ? trimmed(line.substr(1)) : line;
+}
+
+/// Calls take(value) for each nonblank line. take returns what is wrong with the value, if anything; the
+/// error puts the line's place before it. Errors: those of reading and parsing (input, device).
+template <class Json, class Take>
+Result<void> eachJsonLine(LineReader& lines, const Take& take) {
+  while (true) {
+    const auto line = lines.next();
+    if (!line) return tl::unexpected(line.error());
+    if (!*line) return {};
+    const std::string_view text = withoutSeparator(**line);
+    if (text.empty()) continue;
+    JsonBytes bytes(lines.name(), text);
+    bytes.setPlace(lines.number(), static_cast<std::size_t>(text.data() - (*line)->data()));
+    const auto value = parseJson<Json>(bytes);
+    if (!value) return tl::unexpected(value.error());
+    if (const auto problem = take(*value)) {
+      return inputError(fmt::format("{}:{}: {}", lines.name(), lines.number(), *problem));
+    }
+  }
 }
 
 }  // namespace vorpipe

@@ -37,9 +37,7 @@ Result<void> LineReader::refill() {
   begin_ = 0;
   const std::size_t room = longest_line - end_;
   const auto got = file_.read(std::span(buffer_.get() + end_, room));
-  if (!got) {
-    return tl::unexpected(got.error());
-  }
+  if (!got) return tl::unexpected(got.error());
   end_ += *got;
   at_end_ = *got < room;
   return {};
@@ -63,9 +61,7 @@ void LineReader::skip(std::size_t bytes, std::uint64_t lines) {
 std::optional<std::string_view> LineReader::takeUntil(const char* end) {
   const char* const last = buffer_.get() + end_;
   std::string_view line(buffer_.get() + begin_, end);
-  if (end == last && line.empty()) {
-    return std::nullopt;
-  }
+  if (end == last && line.empty()) return std::nullopt;
   const bool two = end + 1 < last && end[0] == '\r' && end[1] == '\n';
   begin_ = std::min(end_, begin_ + line.size() + (two ? 2 : 1));
   return number_ == 1 ? withoutByteOrderMark(line) : line;
@@ -79,9 +75,7 @@ Result<std::optional<std::string_view>> LineReader::next() {
     const char* const found = findLineEnd(buffer_.get() + searched, last);
     // A CR at the very end of the buffer may have its LF in the next chunk.
     const bool whole = found != last && (*found == '\n' || found + 1 != last);
-    if (whole || at_end_) {
-      return takeUntil(found);
-    }
+    if (whole || at_end_) return takeUntil(found);
     if (begin_ == 0 && end_ == longest_line) {
       return errorAt(1, fmt::format("the line is longer than {} bytes; is this a text file?", longest_line));
     }

@@ -25,9 +25,7 @@ bool isTiny(std::string_view number) {
     std::string_view text = number.substr(mark + 1);
     const bool negative = text.starts_with('-');
     text.remove_prefix(text.starts_with('+') ? 1 : 0);
-    if (std::from_chars(text.data(), text.data() + text.size(), exponent).ec != std::errc()) {
-      return negative;
-    }
+    if (std::from_chars(text.data(), text.data() + text.size(), exponent).ec != std::errc()) return negative;
   }
   // Far beyond the digits of any text, but small enough that sums do not overflow.
   constexpr long farthest = 1L << 48;
@@ -35,13 +33,43 @@ bool isTiny(std::string_view number) {
   return exponent + static_cast<long>(point) - static_cast<long>(leading) < 0;
 }
 
+/// Parses `number`, which is `text` in its file.
+tl::expected<double, std::string> numberIn(std::string_view number, std::string_view text) {
+  number = trimmed(number);
+  if (number.empty()) return tl::unexpected(std::string("empty field"));
+  if (number.size() > 1 && number[0] == '+' && number[1] != '-') number.remove_prefix(1);
+  double value = 0;
+  const char* const last = number.data() + number.size();
+  const auto [stop, error] = std::from_chars(number.data(), last, value);
+  if (stop != last || error == std::errc::invalid_argument) {
+    return tl::unexpected(inQuotes(text) + " is not a number");
+  }
+  if (error == std::errc::result_out_of_range) {
+    if (!isTiny(number)) return tl::unexpected(inQuotes(text) + " is out of the range of a double");
+    return number[0] == '-' ? -0.0 : 0.0;
+  }
+  if (!std::isfinite(value)) return tl::unexpected(inQuotes(text) + " is not a finite number");
+  return value;
+}
+
 }  // namespace
 
 std::string_view trimmed(std::string_view text) {
   constexpr std::string_view blanks = " \t";
-  const std::size_t first = std::min(text.find_first_not_of(blanks), text.size());
-  text.remove_prefix(first);
+  text.remove_prefix(std::min(text.find_first_not_of(blanks), text.size()));
   return text.substr(0, text.find_last_not_of(blanks) + 1);
+}
+
+std::string lowerCase(std::string_view text) {
+  std::string lower(text);
+  for (char& c : lower) c = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+  return lower;
+}
+
+std::string upperCase(std::string_view text) {
+  std::string upper(text);
+  for (char& c : upper) c = c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c;
+  return upper;
 }
 
 bool isMissingValue(std::string_view text) {
@@ -53,36 +81,12 @@ bool isMissingValue(std::string_view text) {
   return std::ranges::find(spellings, text) != spellings.end();
 }
 
-namespace {
-
-/// Parses `number`, which is `text` in its file.
-tl::expected<double, std::string> numberIn(std::string_view number, std::string_view text) {
-  number = trimmed(number);
-  if (number.empty()) {
-    return tl::unexpected(std::string("empty field"));
-  }
-  if (number.size() > 1 && number[0] == '+' && number[1] != '-') {
-    number.remove_prefix(1);
-  }
-  double value = 0;
-  const char* const last = number.data() + number.size();
-  const auto [stop, error] = std::from_chars(number.data(), last, value);
-  if (stop != last || error == std::errc::invalid_argument) {
-    return tl::unexpected(inQuotes(text) + " is not a number");
-  }
-  if (error == std::errc::result_out_of_range) {
-    if (!isTiny(number)) {
-      return tl::unexpected(inQuotes(text) + " is out of the range of a double");
-    }
-    return number[0] == '-' ? -0.0 : 0.0;
-  }
-  if (!std::isfinite(value)) {
-    return tl::unexpected(inQuotes(text) + " is not a finite number");
-  }
-  return value;
+std::optional<std::int64_t> parseInteger(std::string_view text) {
+  std::int64_t value = 0;
+  const char* const last = text.data() + text.size();
+  const auto [stop, error] = std::from_chars(text.data(), last, value);
+  return stop == last && error == std::errc() ? std::optional(value) : std::nullopt;
 }
-
-}  // namespace
 
 tl::expected<double, std::string> parseNumber(std::string_view text) { return numberIn(text, text); }
 

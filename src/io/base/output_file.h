@@ -10,10 +10,47 @@
 #include <vector>
 
 #include "io/base/byte_sink.h"
-#include "io/base/unfinished.h"
 #include "vorpipe.h"
 
 namespace vorpipe {
+
+struct UnfinishedSlot;
+
+/// A new file, removed with this object, or earlier by removeUnfinished(), unless it was moved away.
+class Unfinished {
+ public:
+  /// create() makes the file, but removeUnfinished() has the path from here on: it never misses an existing
+  /// file.
+  explicit Unfinished(std::string path);
+  Unfinished(const Unfinished&) = delete;
+  Unfinished& operator=(const Unfinished&) = delete;
+  ~Unfinished();
+
+  /// Creates the file, which must not exist. Returns its descriptor, or -1 with errno set.
+  int create(unsigned mode);
+  /// Makes the file another name of an old one. Returns false with errno set on failure.
+  bool linkTo(const char* old);
+  /// Renames the file, which then stays. Returns false with errno set on failure.
+  bool moveTo(const char* target);
+
+  [[nodiscard]] const std::string& path() const { return path_; }
+
+ private:
+  /// Notes whether the file was created, which removeUnfinished() on another thread may have missed.
+  void noteCreated(bool created);
+
+  std::string path_;
+  UnfinishedSlot* slot_;
+  bool is_there_ = false;
+};
+
+/// Removes all unfinished files of all threads. For signal handlers: it makes only async-signal-safe calls.
+/// They must then end the process, since threads with such a file wait for that.
+void removeUnfinished();
+
+/// Whether a killed process may have left a file of this name, given without its folder:
+/// ".vorpipe-1234-0.tmp".
+bool isLeftOver(std::string_view name);
 
 /// Bytes go to a temporary file beside the target, which commit() renames onto it; without commit()
 /// the target stays as it was; messages name the path as it was given. Something that is no regular file

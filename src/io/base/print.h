@@ -5,6 +5,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
+#include <bit>
 #include <cstddef>
 #include <string_view>
 #include <type_traits>
@@ -16,6 +18,16 @@
 #include "vorpipe.h"
 
 namespace vorpipe {
+
+/// Appends a number's bytes in the order given, to a string or another buffer of char.
+template <std::endian order, class Buffer, class Number>
+void appendNumber(Buffer& bytes, Number number) {
+  auto raw = std::bit_cast<std::array<char, sizeof(Number)>>(number);
+  if constexpr (order != std::endian::native) {
+    std::reverse(raw.begin(), raw.end());
+  }
+  bytes.append(raw.data(), raw.data() + raw.size());
+}
 
 /// Bytes of a file before they are written.
 using Bytes = fmt::memory_buffer;

@@ -1,8 +1,9 @@
-/// Text of files and options in messages.
+/// Text of unknown encoding, and how messages and command lines show it.
 #pragma once
 
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace vorpipe {
 
@@ -16,5 +17,18 @@ std::string printable(std::string_view text);
 
 /// The same in double quotes.
 std::string inQuotes(std::string_view text);
+
+/// Returns `text` as one word of bash or zsh: in single quotes, which are closed for each one inside.
+std::string shellQuoted(std::string_view text);
+
+/// Joins words with blanks so that a shell reads each as it is: quoted if necessary. A word that a terminal
+/// would partly take for a command is in $'...', as in bash, zsh and ksh.
+std::string shellLine(const std::vector<std::string>& words);
+
+/// Whether all bytes form characters of UTF-8; surrogates and overlong forms are none.
+bool isUtf8(std::string_view bytes);
+
+/// Converts text in Windows-1252, which includes Latin-1, to UTF-8.
+std::string fromWindows1252(std::string_view bytes);
 
 }  // namespace vorpipe

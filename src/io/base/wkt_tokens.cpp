@@ -5,9 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cctype>
-#include <charconv>
 #include <span>
-#include <system_error>
 #include <utility>
 
 #include "io/base/error.h"
@@ -105,11 +103,8 @@ WktProblem WktTokens::takeSystem(std::optional<std::int64_t>& code) {
   constexpr std::string_view before = "SRID=";
   if (!sameWord(token_.substr(0, before.size()), before)) return {};
   const std::string_view digits = token_.substr(before.size());
-  std::int64_t number = 0;
-  const auto [stop, error] = std::from_chars(digits.data(), digits.data() + digits.size(), number);
-  if (stop != digits.data() + digits.size() || error != std::errc()) {
-    return wrong(fmt::format("{} is no number of a coordinate system", inQuotes(digits)));
-  }
+  const auto number = parseInteger(digits);
+  if (!number) return wrong(fmt::format("{} is no number of a coordinate system", inQuotes(digits)));
   code = number;
   next();
   return take(";") ? WktProblem() : expected("\";\"");

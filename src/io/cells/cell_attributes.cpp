@@ -7,9 +7,9 @@
 #include <unordered_set>
 #include <utility>
 
-#include "io/base/attribute_fields.h"
 #include "io/base/field_text.h"
-#include "io/base/lower_case.h"
+#include "io/base/geopackage.h"
+#include "io/base/number.h"
 #include "io/base/quoted.h"
 
 namespace vorpipe {
@@ -98,7 +98,7 @@ void printJsonValue(Bytes& text, const Attribute& attribute, std::size_t site) {
 void addAttributeFields(std::vector<LayerField>& fields, std::span<const Attribute> attributes,
                         std::span<const std::string> names) {
   for (std::size_t k = 0; k < names.size(); ++k) {
-    fields.push_back({utf8Of(names[k]), fieldType(attributes[k].type())});
+    fields.push_back({utf8Of(names[k]), attributes[k].type()});
   }
 }
 

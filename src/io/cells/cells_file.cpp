@@ -5,7 +5,7 @@
 #include <new>
 
 #include "io/base/error.h"
-#include "io/base/format_list.h"
+#include "io/base/extension.h"
 #include "io/cells/cells_writers.h"
 
 namespace vorpipe {

@@ -1,7 +1,7 @@
 #include <string>
 #include <vector>
 
-#include "io/base/attribute_fields.h"
+#include "io/base/field_text.h"
 #include "io/base/geopackage.h"
 #include "io/cells/cell_attributes.h"
 #include "io/cells/cell_polygons.h"
@@ -13,20 +13,20 @@ namespace {
 std::vector<LayerField> fieldsOf(const CellsOutput& output) {
   const Diagram& diagram = output.diagram;
   std::vector<LayerField> fields;
-  const auto add = [&](FieldType type, std::initializer_list<const char*> names) {
+  const auto add = [&](AttributeType type, std::initializer_list<const char*> names) {
     for (const char* name : names) fields.push_back({name, type});
   };
-  add(FieldType::integer, {"site"});
-  add(FieldType::real, {"x", "y"});
-  if (!output.sites.weight.empty()) add(FieldType::real, {"weight"});
-  add(FieldType::text, {"status"});
-  add(FieldType::integer, {"owner"});
-  add(FieldType::real, {"area", "perimeter", "centroid_x", "centroid_y"});
-  if (!diagram.mass.empty()) add(FieldType::real, {"mass", "mass_centroid_x", "mass_centroid_y"});
-  add(FieldType::integer, {"vertices"});
-  add(FieldType::text, {"neighbors"});
-  if (!diagram.neighbor_shifts.empty()) add(FieldType::text, {"neighbor_shifts"});
-  if (!diagram.ring_starts.empty()) add(FieldType::integer, {"rings"});
+  add(AttributeType::integer, {"site"});
+  add(AttributeType::real, {"x", "y"});
+  if (!output.sites.weight.empty()) add(AttributeType::real, {"weight"});
+  add(AttributeType::text, {"status"});
+  add(AttributeType::integer, {"owner"});
+  add(AttributeType::real, {"area", "perimeter", "centroid_x", "centroid_y"});
+  if (!diagram.mass.empty()) add(AttributeType::real, {"mass", "mass_centroid_x", "mass_centroid_y"});
+  add(AttributeType::integer, {"vertices"});
+  add(AttributeType::text, {"neighbors"});
+  if (!diagram.neighbor_shifts.empty()) add(AttributeType::text, {"neighbor_shifts"});
+  if (!diagram.ring_starts.empty()) add(AttributeType::integer, {"rings"});
   addAttributeFields(fields, output.attributes, attributeNames(output.attributes));
   return fields;
 }

@@ -7,7 +7,6 @@
 #include <vector>
 
 #include "base/try.h"
-#include "io/base/byte_order.h"
 #include "io/base/print.h"
 #include "io/cells/cells_mesh.h"
 #include "io/cells/cells_writers.h"

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "base/try.h"
-#include "io/base/geojson_text.h"
+#include "io/base/field_text.h"
 #include "io/base/print.h"
 #include "io/cells/cell_attributes.h"
 #include "io/cells/cell_polygons.h"

@@ -8,8 +8,8 @@
 
 #include "base/try.h"
 #include "io/base/error.h"
-#include "io/base/format_list.h"
-#include "io/base/geojson_text.h"
+#include "io/base/extension.h"
+#include "io/base/field_text.h"
 #include "io/base/geopackage.h"
 #include "io/base/print.h"
 #include "io/cells/vtk_xml.h"
@@ -87,10 +87,10 @@ Result<void> writeGeojsonlEdges(ByteSink& sink, const EdgesOutput& output) {
 Result<void> writeGpkgEdges(ByteSink& sink, const EdgesOutput& output) {
   const Layer layer{"edges",
                     GeometryType::line_string,
-                    {{"edge", FieldType::integer},
-                     {"site_a", FieldType::integer},
-                     {"site_b", FieldType::integer},
-                     {"length", FieldType::real}},
+                    {{"edge", AttributeType::integer},
+                     {"site_a", AttributeType::integer},
+                     {"site_b", AttributeType::integer},
+                     {"length", AttributeType::real}},
                     output.system};
   Wkb wkb;
   return writeGeoPackage(sink, layer, output.topology.edge_entry.size(),

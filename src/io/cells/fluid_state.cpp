@@ -12,7 +12,7 @@
 
 #include "base/try.h"
 #include "io/base/error.h"
-#include "io/base/npz_file.h"
+#include "io/base/npy_array.h"
 #include "io/base/quoted.h"
 #include "io/cells/npz_arrays.h"
 

@@ -5,12 +5,12 @@
 #include <new>
 
 #include "base/try.h"
-#include "io/base/attribute_fields.h"
 #include "io/base/error.h"
-#include "io/base/format_list.h"
-#include "io/base/geojson_text.h"
+#include "io/base/extension.h"
+#include "io/base/field_text.h"
 #include "io/base/geopackage.h"
 #include "io/base/npy_array.h"
+#include "io/base/number.h"
 #include "io/base/print.h"
 #include "io/cells/cell_attributes.h"
 
@@ -93,7 +93,7 @@ Result<void> writeGeojsonlPoints(ByteSink& sink, const PointsOutput& output) {
 Result<void> writeGpkgPoints(ByteSink& sink, const PointsOutput& output) {
   const Sites& sites = output.sites;
   Layer layer{"sites", GeometryType::point, {}, output.system};
-  if (!sites.weight.empty()) layer.fields.push_back({"weight", FieldType::real});
+  if (!sites.weight.empty()) layer.fields.push_back({"weight", AttributeType::real});
   addAttributeFields(layer.fields, output.attributes, pointAttributeNames(output.attributes));
   Wkb wkb;
   return writeGeoPackage(sink, layer, sites.size(), [&](std::size_t site, FeatureRow& row) {

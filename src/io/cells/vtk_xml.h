@@ -9,7 +9,6 @@
 #include <utility>
 #include <vector>
 
-#include "io/base/byte_order.h"
 #include "io/base/byte_sink.h"
 #include "io/base/print.h"
 #include "io/cells/cells_mesh.h"

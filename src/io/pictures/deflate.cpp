@@ -11,12 +11,6 @@
 #include "base/try.h"
 
 namespace vorpipe {
-namespace {
-
-// Higher levels make lines of numbers a few percent smaller, in twice the time.
-constexpr int level = 5;
-
-}  // namespace
 
 std::string deflated(std::string_view bytes) {
   MemorySink memory("");
@@ -30,6 +24,8 @@ struct DeflateSink::Stream {
   std::array<char, std::size_t{1} << 16> piece;
 
   Stream() {
+    // Higher levels make lines of numbers a few percent smaller, in twice the time.
+    constexpr int level = 5;
     if (deflateInit(&z, level) != Z_OK) throw std::bad_alloc();
   }
   Stream(const Stream&) = delete;
@@ -37,9 +33,7 @@ struct DeflateSink::Stream {
   ~Stream() { deflateEnd(&z); }
 };
 
-DeflateSink::DeflateSink(ByteSink& to) : ByteSink(to.name()), to_(&to), stream_(new Stream) {}
-DeflateSink::DeflateSink(DeflateSink&&) noexcept = default;
-DeflateSink& DeflateSink::operator=(DeflateSink&&) noexcept = default;
+DeflateSink::DeflateSink(ByteSink& to) : ByteSink(to.name()), to_(to), stream_(new Stream) {}
 DeflateSink::~DeflateSink() = default;
 
 Result<void> DeflateSink::deflate(std::string_view bytes, bool last) {
@@ -53,7 +47,7 @@ Result<void> DeflateSink::deflate(std::string_view bytes, bool last) {
     [[maybe_unused]] const int code = ::deflate(&z, last ? Z_FINISH : Z_NO_FLUSH);
     assert(code != Z_STREAM_ERROR);
     const std::size_t count = piece.size() - z.avail_out;
-    VORPIPE_TRY(to_->write({piece.data(), count}));
+    VORPIPE_TRY(to_.write({piece.data(), count}));
   } while (z.avail_out == 0);
   return {};
 }

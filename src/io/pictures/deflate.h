@@ -18,8 +18,6 @@ class DeflateSink final : public ByteSink {
  public:
   /// `to` must outlive this. Throws std::bad_alloc.
   explicit DeflateSink(ByteSink& to);
-  DeflateSink(DeflateSink&&) noexcept;
-  DeflateSink& operator=(DeflateSink&&) noexcept;
   ~DeflateSink() override;
 
   Result<void> write(std::string_view bytes) override;
@@ -30,7 +28,7 @@ class DeflateSink final : public ByteSink {
   struct Stream;
   Result<void> deflate(std::string_view bytes, bool last);
 
-  ByteSink* to_;
+  ByteSink& to_;
   std::unique_ptr<Stream> stream_;
 };
 

@@ -3,8 +3,6 @@
 #include <fmt/core.h>
 
 #include <algorithm>
-#include <array>
-#include <cstddef>
 #include <new>
 #include <type_traits>
 #include <utility>
@@ -12,10 +10,7 @@
 #include "base/try.h"
 #include "io/base/error.h"
 #include "io/base/input_file.h"
-#include "io/base/memory_room.h"
 #include "io/base/npy_array.h"
-#include "io/base/npy_elements.h"
-#include "io/base/npy_header.h"
 
 namespace vorpipe {
 namespace {
@@ -49,9 +44,7 @@ Result<void> readByType(InputFile& file, const NpyHeader& header, Image& image) 
 
 Result<Image> readImage(InputFile& file) {
   const auto header = readNpyHeader(file);
-  if (!header) {
-    return tl::unexpected(header.error());
-  }
+  if (!header) return tl::unexpected(header.error());
   const bool integer =
       (header->kind == 'i' || header->kind == 'u') && (header->size == 4 || header->size == 8);
   const auto& shape = header->shape;
@@ -73,28 +66,14 @@ Result<Image> readImage(InputFile& file) {
 
 Result<void> writeNpyIds(ByteSink& sink, int width, int height, std::span<const std::uint32_t> ids) {
   const std::uint64_t shape[] = {static_cast<std::uint64_t>(height), static_cast<std::uint64_t>(width)};
-  VORPIPE_TRY(sink.write(npyHeader("<u4", shape)));
-  std::array<char, std::size_t{1} << 16> chunk;
-  constexpr std::size_t chunk_ids = chunk.size() / sizeof(std::uint32_t);
-  while (!ids.empty()) {
-    const std::size_t count = std::min(chunk_ids, ids.size());
-    for (std::size_t i = 0; i < count; ++i) {
-      for (std::size_t byte = 0; byte < sizeof(std::uint32_t); ++byte) {
-        chunk[i * sizeof(std::uint32_t) + byte] = static_cast<char>(ids[i] >> (8 * byte) & 0xFF);
-      }
-    }
-    VORPIPE_TRY(sink.write({chunk.data(), count * sizeof(std::uint32_t)}));
-    ids = ids.subspan(count);
-  }
-  return {};
+  VORPIPE_TRY(sink.write(npyHeader(npyType<std::uint32_t>(), shape)));
+  return sink.write({reinterpret_cast<const char*>(ids.data()), ids.size_bytes()});
 }
 
 Result<Image> readNpyIds(const std::string& path) {
   try {
     auto file = InputFile::open(path);
-    if (!file) {
-      return tl::unexpected(file.error());
-    }
+    if (!file) return tl::unexpected(file.error());
     return readImage(*file);
   } catch (const std::bad_alloc&) {
     return deviceError(path + ": there is not enough memory for its ids");

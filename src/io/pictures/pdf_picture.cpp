@@ -1,20 +1,15 @@
-#include "io/pictures/pdf_picture.h"
-
 #include <algorithm>
+#include <array>
 #include <cstdint>
-#include <new>
 #include <set>
 #include <string>
 #include <string_view>
-#include <utility>
 #include <vector>
 
 #include "base/try.h"
-#include "io/base/error.h"
 #include "io/base/print.h"
 #include "io/pictures/deflate.h"
 #include "io/pictures/vector_picture.h"
-#include "io/pictures/vector_text.h"
 
 // PDF Reference, third edition (1.4): 3.4 (the file), 4.3 and 4.4 (drawing), 5.2 and 5.3 (text).
 
@@ -36,30 +31,30 @@ class PdfFile final : public ByteSink {
 
   /// Begins the next object, which ends with endobj; they are numbered from 1.
   Result<void> begin() {
-    places_.push_back(size_);
-    return write(fmt::format("{} 0 obj\n", places_.size()));
+    offsets_.push_back(size_);
+    return write(fmt::format("{} 0 obj\n", offsets_.size()));
   }
   Result<void> add(std::string_view object) {
-    auto written = begin();
-    if (written) written = write(object);
-    return written ? write("\nendobj\n") : written;
+    VORPIPE_TRY(begin());
+    VORPIPE_TRY(write(object));
+    return write("\nendobj\n");
   }
 
   /// Ends the file; object 1 is its catalog.
   Result<void> finish() {
     const std::uint64_t table = size_;
     Bytes text;
-    print(text, FMT_COMPILE("xref\n0 {}\n0000000000 65535 f \n"), places_.size() + 1);
-    for (const std::uint64_t place : places_) print(text, FMT_COMPILE("{:010} 00000 n \n"), place);
+    print(text, FMT_COMPILE("xref\n0 {}\n0000000000 65535 f \n"), offsets_.size() + 1);
+    for (const std::uint64_t offset : offsets_) print(text, FMT_COMPILE("{:010} 00000 n \n"), offset);
     print(text, FMT_COMPILE("trailer\n<< /Size {} /Root 1 0 R >>\nstartxref\n{}\n%%EOF\n"),
-          places_.size() + 1, table);
+          offsets_.size() + 1, table);
     return writeAll(*this, text);
   }
 
  private:
   ByteSink* to_;
   std::uint64_t size_ = 0;
-  std::vector<std::uint64_t> places_;
+  std::vector<std::uint64_t> offsets_;
 };
 
 void put(Bytes& text, std::string_view more) { text.append(more); }
@@ -130,17 +125,17 @@ Result<void> writeCells(ByteSink& page, Bytes& text, const VectorPicture& pictur
 Result<void> writeEdges(ByteSink& page, Bytes& text, const VectorPicture& picture) {
   printColor(text, edge_color, "RG");
   printLength(text, picture.edgeWidth(), "w");
-  auto written = picture.eachEdge([&](const Lines& lines) {
+  VORPIPE_TRY(picture.eachEdge([&](const Lines& lines) {
     printLines(text, lines, /*closed=*/false);
     put(text, "S\n");
     return writeIfFull(page, text);
-  });
+  }));
   if (const Lines outline = picture.outline(); !outline.empty()) {
     printLength(text, picture.outlineWidth(), "w");
     printLines(text, outline, /*closed=*/true);
     put(text, "S\n");
   }
-  return written;
+  return {};
 }
 
 Result<void> writeDual(ByteSink& page, Bytes& text, const VectorPicture& picture) {
@@ -164,6 +159,24 @@ Result<void> writeDots(ByteSink& page, Bytes& text, const VectorPicture& picture
     VORPIPE_TRY(writeIfFull(page, text));
   }
   return {};
+}
+
+/// Returns the width of printable ASCII text in Helvetica, in the unit of the font size.
+double textWidth(const std::string& text, double font_size) {
+  // Adobe's font metrics of Helvetica, in thousandths, from the space to the tilde.
+  constexpr std::array<std::uint16_t, 95> widths = {
+      278, 278, 355, 556, 556, 889, 667, 191, 333, 333, 389, 584, 278, 333,  278, 278, 556, 556, 556,
+      556, 556, 556, 556, 556, 556, 556, 278, 278, 584, 584, 584, 556, 1015, 667, 667, 722, 722, 667,
+      611, 778, 722, 278, 500, 667, 556, 833, 722, 778, 667, 778, 722, 667,  611, 722, 667, 944, 667,
+      667, 611, 278, 278, 278, 469, 556, 333, 556, 556, 500, 556, 556, 278,  556, 556, 222, 222, 500,
+      222, 833, 556, 556, 556, 556, 333, 500, 278, 556, 500, 722, 500, 500,  500, 334, 260, 334, 584};
+  constexpr double thousandth = 1e-3;
+  double width = 0;
+  for (const char letter : text) {
+    const auto index = static_cast<std::size_t>(static_cast<unsigned char>(letter) - ' ');
+    if (index < widths.size()) width += widths[index];
+  }
+  return width * thousandth * font_size;
 }
 
 void printText(Bytes& text, const LegendText& line) {
@@ -291,38 +304,30 @@ Result<void> writeFile(ByteSink& sink, const VectorPicture& picture) {
   const double points = std::min(points_of_pixel, most_points / std::max(picture.width(), picture.height()));
   PdfFile file(sink);
   // Bytes above 127 show file transfer programs that this is no text.
-  auto written = file.write("%PDF-1.4\n%\xE2\xE3\xCF\xD3\n");
-  if (written) written = file.add("<< /Type /Catalog /Pages 2 0 R >>");
-  if (written) written = file.add(fmt::format("<< /Type /Pages /Kids [{} 0 R] /Count 1 >>", page_object));
-  if (written) written = file.add(pageObject(picture, points));
-  if (written) written = file.begin();
-  if (written) {
-    written = file.write(fmt::format("<< /Length {} 0 R /Filter /FlateDecode >>\nstream\n", length_object));
-  }
+  VORPIPE_TRY(file.write("%PDF-1.4\n%\xE2\xE3\xCF\xD3\n"));
+  VORPIPE_TRY(file.add("<< /Type /Catalog /Pages 2 0 R >>"));
+  VORPIPE_TRY(file.add(fmt::format("<< /Type /Pages /Kids [{} 0 R] /Count 1 >>", page_object)));
+  VORPIPE_TRY(file.add(pageObject(picture, points)));
+  VORPIPE_TRY(file.begin());
+  VORPIPE_TRY(file.write(fmt::format("<< /Length {} 0 R /Filter /FlateDecode >>\nstream\n", length_object)));
   const std::uint64_t begin = file.size();
   DeflateSink page(file);
-  if (written) written = writeContents(page, picture, points);
-  if (written) written = page.finish();
+  VORPIPE_TRY(writeContents(page, picture, points));
+  VORPIPE_TRY(page.finish());
   const std::uint64_t length = file.size() - begin;
-  if (written) written = file.write("\nendstream\nendobj\n");
-  if (written) written = file.add(std::to_string(length));
-  if (written) {
-    written = file.add("<< /Type /Font /Subtype /Type1 /BaseFont /Helvetica /Encoding /WinAnsiEncoding >>");
-  }
-  if (written) written = file.add(dotObject(picture));
-  return written ? file.finish() : written;
+  VORPIPE_TRY(file.write("\nendstream\nendobj\n"));
+  VORPIPE_TRY(file.add(std::to_string(length)));
+  VORPIPE_TRY(file.add("<< /Type /Font /Subtype /Type1 /BaseFont /Helvetica /Encoding /WinAnsiEncoding >>"));
+  VORPIPE_TRY(file.add(dotObject(picture)));
+  return file.finish();
 }
 
 }  // namespace
 
 Result<void> writePdfPicture(ByteSink& sink, const Sites& sites, const Diagram& diagram,
                              const RenderOptions& options, int threads) {
-  try {
-    const auto picture = VectorPicture::make(sites, diagram, options, threads);
-    return picture ? writeFile(sink, *picture) : tl::unexpected(picture.error());
-  } catch (const std::bad_alloc&) {
-    return deviceError(sink.name() + ": there is not enough memory to write its shapes");
-  }
+  return writeShapes(sink, sites, diagram, options, threads,
+                     [&](const VectorPicture& picture) { return writeFile(sink, picture); });
 }
 
 }  // namespace vorpipe

@@ -4,13 +4,11 @@
 #include <cassert>
 #include <span>
 
-#include "io/base/format_list.h"
+#include "io/base/extension.h"
 #include "io/pictures/georeference.h"
 #include "io/pictures/npy_ids.h"
-#include "io/pictures/pdf_picture.h"
 #include "io/pictures/png_file.h"
-#include "io/pictures/svg_picture.h"
-#include "io/pictures/tiff_ids.h"
+#include "io/pictures/vector_picture.h"
 #include "vorpipe.h"
 
 namespace vorpipe {

@@ -15,7 +15,6 @@
 #include "base/try.h"
 #include "io/base/error.h"
 #include "io/base/input_file.h"
-#include "io/base/memory_room.h"
 
 // libpng leaves its functions by longjmp when something fails. So a function that calls setjmp, and a
 // callback from which png_error is called, holds no object with a destructor.
@@ -102,9 +101,7 @@ void packRow(const std::uint32_t* pixels, std::size_t width, std::size_t channel
 
 bool encode(const Handles& handles, Transfer& transfer, png_uint_32 width, png_uint_32 height,
             std::size_t channels, const std::uint32_t* pixels, png_byte* row) {
-  if (setjmp(png_jmpbuf(handles.png)) != 0) {
-    return false;
-  }
+  if (setjmp(png_jmpbuf(handles.png)) != 0) return false;
   constexpr int fast_compression = 3;
   png_set_write_fn(handles.png, &transfer, onWrite, onFlush);
   png_set_IHDR(handles.png, handles.info, width, height, 8,
@@ -123,9 +120,7 @@ bool encode(const Handles& handles, Transfer& transfer, png_uint_32 width, png_u
 
 /// Reads the header and asks libpng for RGBA rows of 8 or 16 bits per channel, whatever the file holds.
 bool decodeHeader(const Handles& handles, Transfer& transfer, int bits) {
-  if (setjmp(png_jmpbuf(handles.png)) != 0) {
-    return false;
-  }
+  if (setjmp(png_jmpbuf(handles.png)) != 0) return false;
   png_set_read_fn(handles.png, &transfer, onRead);
   png_set_sig_bytes(handles.png, signature_size);
 #ifdef PNG_HANDLE_AS_UNKNOWN_SUPPORTED
@@ -146,9 +141,7 @@ bool decodeHeader(const Handles& handles, Transfer& transfer, int bits) {
 }
 
 bool decodeRows(const Handles& handles, png_bytep pixels, std::size_t row_size, png_uint_32 height) {
-  if (setjmp(png_jmpbuf(handles.png)) != 0) {
-    return false;
-  }
+  if (setjmp(png_jmpbuf(handles.png)) != 0) return false;
   const int passes = png_set_interlace_handling(handles.png);
   png_read_update_info(handles.png, handles.info);
   for (int pass = 0; pass < passes; ++pass) {
@@ -161,9 +154,7 @@ bool decodeRows(const Handles& handles, png_bytep pixels, std::size_t row_size, 
 }
 
 tl::unexpected<Error> readError(const Transfer& transfer, const std::string& path) {
-  if (!transfer.result) {
-    return tl::unexpected(transfer.result.error());
-  }
+  if (!transfer.result) return tl::unexpected(transfer.result.error());
   return inputError(fmt::format("{}: is a damaged PNG: {}", path, transfer.message.data()));
 }
 
@@ -181,7 +172,7 @@ Result<void> checkPixels(const Handles& handles, const InputFile& file, const st
   const std::uint64_t height = png_get_image_height(handles.png, handles.info);
   const std::uint64_t bits = std::uint64_t{png_get_bit_depth(handles.png, handles.info)} *
                              png_get_channels(handles.png, handles.info);
-  if (file.mostBytes() && width * bits / 8 * height / Inflater::largest_ratio > *file.mostBytes()) {
+  if (file.mostBytes() && width * bits / 8 * height / largest_inflation > *file.mostBytes()) {
     return inputError(fmt::format("{}: is a damaged PNG: {} bytes cannot hold {} x {} pixels", path,
                                   *file.mostBytes(), width, height));
   }
@@ -195,16 +186,10 @@ Result<Pixels> decode(InputFile& file, const std::string& path, int bits, std::u
   if (!readFrom(transfer, signature.data(), signature_size) && !transfer.result) {
     return tl::unexpected(transfer.result.error());
   }
-  if (png_sig_cmp(signature.data(), 0, signature_size) != 0) {
-    return inputError(path + ": is not a PNG file");
-  }
+  if (png_sig_cmp(signature.data(), 0, signature_size) != 0) return inputError(path + ": is not a PNG file");
   const Handles handles(false, transfer);
-  if (handles.info == nullptr) {
-    return deviceError(path + ": libpng could not be started");
-  }
-  if (!decodeHeader(handles, transfer, bits)) {
-    return readError(transfer, path);
-  }
+  if (handles.info == nullptr) return deviceError(path + ": libpng could not be started");
+  if (!decodeHeader(handles, transfer, bits)) return readError(transfer, path);
   const png_uint_32 width = png_get_image_width(handles.png, handles.info);
   const png_uint_32 height = png_get_image_height(handles.png, handles.info);
   const auto of_pixel = max_channels * static_cast<std::size_t>(bits / 8);
@@ -212,18 +197,21 @@ Result<Pixels> decode(InputFile& file, const std::string& path, int bits, std::u
   const std::size_t row_size = width * of_pixel;
   Pixels pixels{static_cast<int>(width), static_cast<int>(height), {}};
   pixels.bytes.resize(row_size * height);
-  if (!decodeRows(handles, pixels.bytes.data(), row_size, height)) {
-    return readError(transfer, path);
-  }
+  if (!decodeRows(handles, pixels.bytes.data(), row_size, height)) return readError(transfer, path);
   return pixels;
 }
 
-Result<Pixels> decode(const std::string& path, int bits, std::uint64_t of_result) {
-  auto file = InputFile::open(path);
-  if (!file) {
-    return tl::unexpected(file.error());
+/// Reads a file and makes a result of its pixels, which takes `of_result` bytes for each.
+template <class Make>
+auto readPixels(const std::string& path, int bits, std::uint64_t of_result, const Make& make)
+    -> Result<decltype(make(Pixels{}))> {
+  try {
+    auto file = InputFile::open(path);
+    if (!file) return tl::unexpected(file.error());
+    return decode(*file, path, bits, of_result).map(make);
+  } catch (const std::bad_alloc&) {
+    return deviceError(path + ": there is not enough memory for its pixels");
   }
-  return decode(*file, path, bits, of_result);
 }
 
 }  // namespace
@@ -234,9 +222,7 @@ Result<void> writePng(ByteSink& sink, int width, int height, std::span<const std
   Transfer transfer;
   transfer.output = &sink;
   const Handles handles(true, transfer);
-  if (handles.info == nullptr) {
-    return deviceError(sink.name() + ": libpng could not be started");
-  }
+  if (handles.info == nullptr) return deviceError(sink.name() + ": libpng could not be started");
   constexpr std::uint32_t opaque = 0xFF000000u;
   const bool all_opaque =
       std::all_of(rgba.begin(), rgba.end(), [](std::uint32_t pixel) { return pixel >= opaque; });
@@ -246,44 +232,32 @@ Result<void> writePng(ByteSink& sink, int width, int height, std::span<const std
              rgba.data(), row.data())) {
     return {};
   }
-  if (!transfer.result) {
-    return transfer.result;
-  }
+  if (!transfer.result) return transfer.result;
   return deviceError(
       fmt::format("{}: could not be encoded as PNG: {}", sink.name(), transfer.message.data()));
 }
 
 Result<Image> readPng(const std::string& path) {
-  try {
-    const auto pixels = decode(path, 8, sizeof(std::uint32_t));
-    if (!pixels) {
-      return tl::unexpected(pixels.error());
-    }
+  return readPixels(path, 8, sizeof(std::uint32_t), [](const Pixels& pixels) {
     Image image;
-    image.width = pixels->width;
-    image.height = pixels->height;
-    image.rgba.resize(pixels->bytes.size() / max_channels);
-    const png_byte* bytes = pixels->bytes.data();
+    image.width = pixels.width;
+    image.height = pixels.height;
+    image.rgba.resize(pixels.bytes.size() / max_channels);
+    const png_byte* bytes = pixels.bytes.data();
     for (std::uint32_t& pixel : image.rgba) {
       pixel = bytes[0] | std::uint32_t{bytes[1]} << 8 | std::uint32_t{bytes[2]} << 16 |
               std::uint32_t{bytes[3]} << 24;
       bytes += max_channels;
     }
     return image;
-  } catch (const std::bad_alloc&) {
-    return deviceError(path + ": there is not enough memory for its pixels");
-  }
+  });
 }
 
 Result<Density> readPngDarkness(const std::string& path) {
-  try {
-    const auto pixels = decode(path, 16, sizeof(double));
-    if (!pixels) {
-      return tl::unexpected(pixels.error());
-    }
-    Density density{pixels->width, pixels->height, {}};
-    density.values.resize(pixels->bytes.size() / (2 * max_channels));
-    const png_byte* bytes = pixels->bytes.data();
+  return readPixels(path, 16, sizeof(double), [](const Pixels& pixels) {
+    Density density{pixels.width, pixels.height, {}};
+    density.values.resize(pixels.bytes.size() / (2 * max_channels));
+    const png_byte* bytes = pixels.bytes.data();
     for (double& value : density.values) {
       const auto channel = [&](std::size_t k) { return bytes[2 * k] * 256 + bytes[2 * k + 1]; };
       const auto dark = [&](std::size_t k) { return 65535 - channel(k); };
@@ -293,9 +267,7 @@ Result<Density> readPngDarkness(const std::string& path) {
       bytes += 2 * max_channels;
     }
     return density;
-  } catch (const std::bad_alloc&) {
-    return deviceError(path + ": there is not enough memory for its pixels");
-  }
+  });
 }
 
 }  // namespace vorpipe

@@ -1,14 +1,9 @@
-#include "io/pictures/svg_picture.h"
-
 #include <cstdint>
-#include <new>
 #include <string_view>
 
 #include "base/try.h"
-#include "io/base/error.h"
 #include "io/base/print.h"
 #include "io/pictures/vector_picture.h"
-#include "io/pictures/vector_text.h"
 
 namespace vorpipe {
 namespace {
@@ -38,6 +33,15 @@ void printLength(Bytes& text, std::string_view name, double pixels) {
   print(text, FMT_COMPILE(" {}=\""), name);
   printPixels(text, pixels);
   text.push_back('"');
+}
+
+/// Begins a rectangle.
+void printRectangle(Bytes& text, double left, double top, double width, double height) {
+  put(text, "<rect");
+  printLength(text, "x", left);
+  printLength(text, "y", top);
+  printLength(text, "width", width);
+  printLength(text, "height", height);
 }
 
 /// Appends an arc of less than half an ellipse, up to its end.
@@ -73,11 +77,8 @@ void printHead(Bytes& text, const VectorPicture& picture) {
                     "viewBox=\"0 0 {0} {1}\">\n"),
         picture.width(), picture.height());
   const Box clip = picture.clip();
-  put(text, "<clipPath id=\"frame\"><rect");
-  printLength(text, "x", clip.xmin);
-  printLength(text, "y", clip.ymin);
-  printLength(text, "width", clip.xmax - clip.xmin);
-  printLength(text, "height", clip.ymax - clip.ymin);
+  put(text, "<clipPath id=\"frame\">");
+  printRectangle(text, clip.xmin, clip.ymin, clip.xmax - clip.xmin, clip.ymax - clip.ymin);
   put(text, "/></clipPath>\n");
   if (const Lines outline = picture.outline(); !outline.empty()) {
     put(text, "<clipPath id=\"outline\"><path clip-rule=\"evenodd\" d=\"");
@@ -103,11 +104,16 @@ Result<void> writeCells(ByteSink& sink, Bytes& text, const VectorPicture& pictur
   return written;
 }
 
-Result<void> writeEdges(ByteSink& sink, Bytes& text, const VectorPicture& picture) {
+/// Begins a group of lines that are not filled.
+void beginLines(Bytes& text, std::uint32_t color, double width) {
   put(text, "<g fill=\"none\"");
-  printColor(text, "stroke", edge_color);
-  printLength(text, "stroke-width", picture.edgeWidth());
+  printColor(text, "stroke", color);
+  printLength(text, "stroke-width", width);
   put(text, ">\n");
+}
+
+Result<void> writeEdges(ByteSink& sink, Bytes& text, const VectorPicture& picture) {
+  beginLines(text, edge_color, picture.edgeWidth());
   std::size_t lines_here = 0;
   auto written = picture.eachEdge([&](const Lines& lines) {
     if (lines_here == 0) put(text, "<path d=\"");
@@ -131,10 +137,7 @@ Result<void> writeEdges(ByteSink& sink, Bytes& text, const VectorPicture& pictur
 }
 
 Result<void> writeDual(ByteSink& sink, Bytes& text, const VectorPicture& picture) {
-  put(text, "<g fill=\"none\"");
-  printColor(text, "stroke", dual_color);
-  printLength(text, "stroke-width", picture.edgeWidth());
-  put(text, ">\n");
+  beginLines(text, dual_color, picture.edgeWidth());
   std::size_t lines_here = 0;
   for (const Line& line : picture.dual()) {
     put(text, lines_here == 0 ? "<path d=\"M" : "M");
@@ -173,11 +176,7 @@ Result<void> writeDots(ByteSink& sink, Bytes& text, const VectorPicture& picture
 }
 
 void printBox(Bytes& text, const LegendBox& box) {
-  put(text, "<rect");
-  printLength(text, "x", box.left);
-  printLength(text, "y", box.top);
-  printLength(text, "width", box.width);
-  printLength(text, "height", box.height);
+  printRectangle(text, box.left, box.top, box.width, box.height);
   printColor(text, "fill", box.rgba);
   if (const std::uint32_t alpha = box.rgba >> 24; alpha != opaque) {
     print(text, FMT_COMPILE(" fill-opacity=\"{:.3g}\""), alpha / double{opaque});
@@ -248,12 +247,8 @@ Result<void> write(ByteSink& sink, const VectorPicture& picture, const Diagram& 
 
 Result<void> writeSvgPicture(ByteSink& sink, const Sites& sites, const Diagram& diagram,
                              const RenderOptions& options, int threads) {
-  try {
-    const auto picture = VectorPicture::make(sites, diagram, options, threads);
-    return picture ? write(sink, *picture, diagram) : tl::unexpected(picture.error());
-  } catch (const std::bad_alloc&) {
-    return deviceError(sink.name() + ": there is not enough memory to write its shapes");
-  }
+  return writeShapes(sink, sites, diagram, options, threads,
+                     [&](const VectorPicture& picture) { return write(sink, picture, diagram); });
 }
 
 }  // namespace vorpipe

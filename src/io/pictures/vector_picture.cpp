@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <numbers>
 #include <utility>
 #include <vector>
@@ -40,6 +41,28 @@ void addEdges(const Cell& cell, Lines& lines, const Place& place) {
 }
 
 }  // namespace
+
+void printPixels(Bytes& bytes, double pixels) {
+  constexpr std::int64_t one = 10000;
+  const std::int64_t steps = std::llround(pixels * one);
+  if (steps < 0) bytes.push_back('-');
+  const std::int64_t size = std::abs(steps);
+  print(bytes, FMT_COMPILE("{}"), size / one);
+  if (size % one == 0) return;
+  print(bytes, FMT_COMPILE(".{:04}"), size % one);
+  while (bytes[bytes.size() - 1] == '0') bytes.resize(bytes.size() - 1);
+}
+
+void printPoint(Bytes& bytes, Point point) {
+  printPixels(bytes, point.x);
+  bytes.push_back(' ');
+  printPixels(bytes, point.y);
+}
+
+double fontSize(double capital_height) {
+  constexpr double capital_height_of_font = 0.718;
+  return capital_height / capital_height_of_font;
+}
 
 VectorPicture::VectorPicture(const Sites& sites, const Diagram& diagram, const RenderOptions& options)
     : sites_(&sites),

@@ -1,4 +1,4 @@
-/// A picture of cells as shapes: the part common to all vector writers.
+/// Pictures of cells as shapes: SVG and PDF, and the part common to both.
 #pragma once
 
 #include <algorithm>
@@ -7,10 +7,14 @@
 #include <cstddef>
 #include <cstdint>
 #include <functional>
+#include <new>
 #include <optional>
 #include <span>
 #include <vector>
 
+#include "io/base/byte_sink.h"
+#include "io/base/error.h"
+#include "io/base/print.h"
 #include "vorpipe.h"
 #include "vorpipe/free_surface.h"
 #include "vorpipe/shapes.h"
@@ -129,8 +133,6 @@ class VectorPicture {
   [[nodiscard]] std::span<const Line> dual() const { return dual_; }
 
   [[nodiscard]] std::span<const SiteLabel> labels() const { return labels_; }
-  /// Height of labels.
-  [[nodiscard]] double labelSize() const { return options_->label_size; }
   [[nodiscard]] LegendText textOf(const SiteLabel& label) const;
   /// Background box of a label, in the color of its cell: dual lines end at sites, where the labels are. None
   /// without a dual.
@@ -138,7 +140,7 @@ class VectorPicture {
 
  private:
   VectorPicture(const Sites& sites, const Diagram& diagram, const RenderOptions& options);
-  [[nodiscard]] Point pixelOf(Point place) const { return places_.pixelOf(place); }
+  [[nodiscard]] Point pixelOf(Point point) const { return places_.pixelOf(point); }
   Result<void> placeDots(const Sites& sites, int threads);
   /// Keeps only the sites, by index, whose positions `at` have a cell.
   Result<void> keepInOutline(const Sites& at, std::vector<std::uint32_t>& sites, int threads) const;
@@ -160,5 +162,37 @@ class VectorPicture {
   std::vector<Line> dual_;
   std::vector<SiteLabel> labels_;
 };
+
+/// Appends a length in pixels to the nearest 1e-4, in as few characters as possible.
+void printPixels(Bytes& bytes, double pixels);
+
+/// Appends x and y, with a space between them.
+void printPoint(Bytes& bytes, Point point);
+
+/// Returns the size of a font like Helvetica whose capital letters have the given height.
+double fontSize(double capital_height);
+
+/// Makes a picture and calls `write(picture)`. Errors: those of VectorPicture::make and `write`; memory ran
+/// out (device).
+template <class Write>
+Result<void> writeShapes(ByteSink& sink, const Sites& sites, const Diagram& diagram,
+                         const RenderOptions& options, int threads, const Write& write) {
+  try {
+    const auto picture = VectorPicture::make(sites, diagram, options, threads);
+    return picture ? write(*picture) : tl::unexpected(picture.error());
+  } catch (const std::bad_alloc&) {
+    return deviceError(sink.name() + ": there is not enough memory to write its shapes");
+  }
+}
+
+/// Draws `diagram`, the cells of `sites` with Detail::polygons, by `options`, and writes the picture as
+/// SVG 1.1 of options.width x options.height pixels, or as one page of PDF 1.4. A cell of SVG is a path with
+/// its site and area as title. A pixel of PDF is 0.75 points, as in browsers, or less if the page would
+/// exceed 14400 points, the most that readers accept. Equal cells give equal bytes. Errors: those of
+/// writeShapes; writing failed (device).
+Result<void> writeSvgPicture(ByteSink& sink, const Sites& sites, const Diagram& diagram,
+                             const RenderOptions& options, int threads = 0);
+Result<void> writePdfPicture(ByteSink& sink, const Sites& sites, const Diagram& diagram,
+                             const RenderOptions& options, int threads = 0);
 
 }  // namespace vorpipe

@@ -7,7 +7,6 @@
 
 #include "io/base/error.h"
 #include "io/base/quoted.h"
-#include "io/base/utf8.h"
 
 namespace vorpipe {
 namespace {

@@ -13,15 +13,13 @@
 #include <utility>
 
 #include "base/try.h"
+#include "io/base/coordinate_system.h"
 #include "io/base/error.h"
 #include "io/base/extension.h"
 #include "io/base/input_file.h"
 #include "io/base/line_reader.h"
-#include "io/base/memory_room.h"
-#include "io/base/npy_elements.h"
-#include "io/base/npy_header.h"
+#include "io/base/npy_array.h"
 #include "io/base/number.h"
-#include "io/base/system_beside.h"
 #include "io/pictures/png_file.h"
 
 namespace vorpipe {

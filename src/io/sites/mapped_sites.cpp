@@ -19,7 +19,7 @@
 #include "base/try.h"
 #include "io/base/error.h"
 #include "io/base/input_file.h"
-#include "io/base/npy_header.h"
+#include "io/base/npy_array.h"
 
 namespace vorpipe {
 namespace {

@@ -13,15 +13,14 @@
 #include <utility>
 
 #include "base/try.h"
+#include "io/base/coordinate_system.h"
 #include "io/base/error.h"
 #include "io/base/extension.h"
 #include "io/base/feature_layer.h"
-#include "io/base/geojson_nesting.h"
-#include "io/base/geometry_polygons.h"
+#include "io/base/geometry_bytes.h"
 #include "io/base/input_file.h"
-#include "io/base/json_lines.h"
+#include "io/base/json_parser.h"
 #include "io/base/quoted.h"
-#include "io/base/system_beside.h"
 #include "io/base/wkt_tokens.h"
 #include "io/sites/sites_reader.h"
 

@@ -12,7 +12,7 @@
 
 #include "base/try.h"
 #include "io/base/error.h"
-#include "io/base/lower_case.h"
+#include "io/base/number.h"
 #include "io/base/quoted.h"
 
 namespace vorpipe {

@@ -13,7 +13,6 @@
 #include "io/base/error.h"
 #include "io/base/number.h"
 #include "io/base/quoted.h"
-#include "io/base/utf8.h"
 #include "io/sites/site_columns.h"
 #include "io/sites/sites_reader.h"
 #include "io/sites/table_builder.h"

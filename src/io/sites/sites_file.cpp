@@ -9,10 +9,10 @@
 #include <utility>
 
 #include "base/try.h"
+#include "io/base/coordinate_system.h"
 #include "io/base/error.h"
 #include "io/base/extension.h"
 #include "io/base/input_file.h"
-#include "io/base/system_beside.h"
 #include "io/sites/sites_reader.h"
 
 namespace vorpipe {

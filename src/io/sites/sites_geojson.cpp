@@ -9,8 +9,8 @@
 #include <vector>
 
 #include "io/base/error.h"
-#include "io/base/geojson_nesting.h"
-#include "io/base/json_lines.h"
+#include "io/base/geometry_bytes.h"
+#include "io/base/json_parser.h"
 #include "io/base/quoted.h"
 #include "io/sites/site_columns.h"
 #include "io/sites/sites_reader.h"

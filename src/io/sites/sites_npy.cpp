@@ -10,9 +10,8 @@
 
 #include "base/try.h"
 #include "io/base/error.h"
-#include "io/base/memory_room.h"
-#include "io/base/npy_elements.h"
-#include "io/base/npy_header.h"
+#include "io/base/input_file.h"
+#include "io/base/npy_array.h"
 #include "io/sites/site_columns.h"
 #include "io/sites/sites_file.h"
 #include "io/sites/sites_reader.h"

@@ -11,7 +11,6 @@
 #include "base/try.h"
 #include "io/base/error.h"
 #include "io/base/line_reader.h"
-#include "io/base/lower_case.h"
 #include "io/base/number.h"
 #include "io/sites/site_columns.h"
 #include "io/sites/sites_reader.h"

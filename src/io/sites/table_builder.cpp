@@ -5,8 +5,8 @@
 
 #include <algorithm>
 
-#include "io/base/json_text.h"
-#include "io/base/memory_room.h"
+#include "io/base/field_text.h"
+#include "io/base/input_file.h"
 #include "io/base/number.h"
 #include "io/base/quoted.h"
 #include "io/sites/site_domain.h"

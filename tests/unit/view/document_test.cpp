@@ -7,7 +7,7 @@
 #include <tuple>
 #include <vector>
 
-#include "io/base/shell_line.h"
+#include "io/base/quoted.h"
 #include "io/sites/outline_file.h"
 #include "io/sites/sites_file.h"
 #include "unit/fixtures/temporary_directory.h"

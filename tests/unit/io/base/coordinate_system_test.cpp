@@ -3,8 +3,6 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "io/base/wkt_system.h"
-
 namespace vorpipe::test {
 namespace {
 

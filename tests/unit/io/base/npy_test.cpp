@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-#include "io/base/npy_header.h"
+#include "io/base/npy_array.h"
 #include "io/base/output_file.h"
 #include "io/pictures/npy_ids.h"
 #include "io/sites/sites_file.h"

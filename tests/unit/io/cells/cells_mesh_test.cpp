@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "io/base/npy_elements.h"
+#include "io/base/npy_array.h"
 #include "io/cells/cells_mesh.h"
 #include "unit/io/cells/cells_fixture.h"
 

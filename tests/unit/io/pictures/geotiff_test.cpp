@@ -8,9 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "io/pictures/geo_keys.h"
 #include "io/pictures/georeference.h"
-#include "io/pictures/tiff_ids.h"
 
 namespace vorpipe::test {
 namespace {

@@ -6,8 +6,6 @@
 #include <string>
 #include <string_view>
 
-#include "io/pictures/pdf_picture.h"
-#include "io/pictures/svg_picture.h"
 #include "io/pictures/vector_picture.h"
 #include "unit/fixtures/checked_runs.h"
 #include "vorpipe/free_surface.h"

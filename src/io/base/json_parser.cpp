@@ -1,8 +1,8 @@
-#include "io/base/json_bytes.h"
+#include "io/base/json_parser.h"
 
 #include <fmt/core.h>
 
-#include "io/base/memory_room.h"
+#include "io/base/input_file.h"
 
 namespace vorpipe {
 
@@ -14,15 +14,15 @@ void JsonBytes::checkKept() {
   const auto what = fmt::format("{} MB of JSON in one piece", kept >> 20);
   if (auto room = checkRoom(fmt::format("{}:{}:{}", name_, line_, column()), what, kept * bytes_of_byte);
       !room)
-    stopped_ = std::move(room.error());
+    error_ = std::move(room.error());
 }
 
 bool JsonBytes::refill() {
   if (at_end_) return false;
-  if (!stopped_ && file_ != nullptr) checkKept();
-  if (!stopped_ && file_ != nullptr) {
+  if (!error_ && file_ != nullptr) checkKept();
+  if (!error_ && file_ != nullptr) {
     const auto got = file_->read(buffer_);
-    if (!got) stopped_ = got.error();
+    if (!got) error_ = got.error();
     if (got && *got > 0) {
       next_ = buffer_.data();
       end_ = next_ + *got;
@@ -36,7 +36,7 @@ bool JsonBytes::refill() {
 }
 
 void JsonBytes::stop(tl::unexpected<Error> error) {
-  if (!stopped_) stopped_ = std::move(error.value());
+  if (!error_) error_ = std::move(error.value());
   end_ = next_;
 }
 
