@@ -54,14 +54,12 @@ set(vorpipe_alone
     cpu/nearest_site.cpp
     cells/site_mesh.cpp
     geometry/triangulation.cpp
-    geometry/far_disc.cpp
     fish.cpp
     legend.cpp
     session/locator.cpp
     bench/plot.cpp
     domain/clip_cell.cpp
     view/panel.cpp
-    domain/band_proof.cpp
     picture_files.cpp
     opengl/cells.cpp
     opengl/geometry.cpp

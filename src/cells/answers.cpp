@@ -9,7 +9,7 @@
 #include "base/parallel.h"
 #include "base/try.h"
 #include "cells/neighbor_rows.h"
-#include "geometry/wall_predicates.h"
+#include "geometry/vertex_predicates.h"
 
 namespace vorpipe::core {
 namespace {

@@ -13,7 +13,7 @@
 #include "geometry/curve_order.h"
 #include "geometry/triangulation.h"
 #include "geometry/vertex_position.h"
-#include "geometry/wall_predicates.h"
+#include "geometry/vertex_predicates.h"
 
 namespace vorpipe::core {
 namespace {

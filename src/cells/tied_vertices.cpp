@@ -6,7 +6,7 @@
 #include <limits>
 
 #include "base/parallel.h"
-#include "geometry/wall_predicates.h"
+#include "geometry/vertex_predicates.h"
 
 namespace vorpipe::core {
 namespace {

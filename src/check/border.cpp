@@ -10,7 +10,7 @@
 
 #include "check/outline.h"
 #include "check/places.h"
-#include "geometry/wall_predicates.h"
+#include "geometry/vertex_predicates.h"
 
 namespace vorpipe::core::checks {
 namespace {

@@ -1,9 +1,28 @@
 /// The mass of cells under a density of pixels.
 #pragma once
 
-#include "domain/own_corners.h"
+#include "cells/cell_record.h"
+#include "domain/cells_run.h"
+#include "domain/polygon_mass.h"
 
 namespace vorpipe::core {
+
+/// Cells that were found and agreed on. Everything here outlives the call.
+struct OwnCorners {
+  const SiteSet& set;
+  const NeighborRows& rows;
+  Unscale unscale;
+  const Sites& places;  ///< in the caller's units; further sites of the set are images
+  int threads;
+  const OwnParts* parts = nullptr;  ///< for the cells that an outline cuts, if there is one
+};
+
+/// The corners of cells that were found with these options, and with their run. `places` are the sites as
+/// wrapped() returns them.
+OwnCorners ownCorners(const FoundCells& found, const CellsOptions& options, const Sites& places, int threads);
+
+/// Computes the moments of mass of cells, whose areas and centroids are already in `records`.
+void weighCells(const OwnCorners& cells, const DensityPixels& pixels, const MassRecords& records);
 
 /// Refuses sizes below 1, another number of values than pixels, and values that are negative or not finite.
 /// Error (input): names the row and column, from 0.

@@ -1,8 +1,11 @@
 /// The whole pipeline from sites to cells as data.
 #pragma once
 
-#include "domain/own_parts.h"
-#include "domain/periodic_diagram.h"
+#include <memory>
+
+#include "cells/site_run.h"
+#include "domain/clip_diagram.h"
+#include "sites/images.h"
 
 namespace vorpipe::core {
 

@@ -1,6 +1,7 @@
 #include "domain/clean_rings.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <tuple>
@@ -10,6 +11,23 @@
 
 namespace vorpipe::core {
 namespace {
+
+/// Up to this many pairs of edges are compared one by one; for more, a tree of edges finds candidates.
+constexpr std::size_t few_pairs = std::size_t{1} << 16;
+
+/// Whether p, on the line of a and b, lies strictly between them.
+bool isInside(Point a, Point b, Point p) { return p != a && p != b && isInBox(a, b, p); }
+
+bool haveMoreThanEnds(Point a, Point b, Point c, Point d) {
+  if (areApart(boxAround(a, b), boxAround(c, d))) return false;
+  const int c_side = orientation(a, b, c), d_side = orientation(a, b, d);
+  if (c_side * d_side > 0) return false;
+  const int a_side = orientation(c, d, a), b_side = orientation(c, d, b);
+  if (a_side * b_side > 0) return false;
+  if (c_side * d_side < 0 && a_side * b_side < 0) return true;
+  return (c_side == 0 && isInside(a, b, c)) || (d_side == 0 && isInside(a, b, d)) ||
+         (a_side == 0 && isInside(c, d, a)) || (b_side == 0 && isInside(c, d, b));
+}
 
 /// With fewer points than this, all pairs are compared.
 constexpr std::size_t few_points = 16;
@@ -79,7 +97,7 @@ class RingTracer {
 
   void labelOutline(std::span<const std::uint32_t> near) {
     std::vector<SegmentKey> sides;
-    for (const auto e : near) sides.push_back(keyOf(outline_.points[e], outline_.points[outline_.next(e)]));
+    for (const auto e : near) sides.push_back(keyOf(outline_.points[e], outline_.endOf(e)));
     std::ranges::sort(sides);
     for (std::uint32_t e = 0; e < ends_.size(); ++e) {
       if (cell_.neighbors[e] < 0) continue;
@@ -245,6 +263,30 @@ class RingTracer {
 };
 
 }  // namespace
+
+void findFaults(const ClippedCell& cell, std::span<const std::uint32_t> asked,
+                std::vector<EdgePair>& faults) {
+  const auto ends = cell.ends();
+  const auto compare = [&](std::uint32_t e, std::uint32_t f) {
+    if (haveMoreThanEnds(cell.vertices[e], ends[e], cell.vertices[f], ends[f])) faults.push_back({e, f});
+  };
+  const auto count = static_cast<std::uint32_t>(cell.vertices.size());
+  if (asked.size() * count <= few_pairs) {
+    for (const auto e : asked) {
+      for (std::uint32_t f = 0; f < count; ++f) compare(e, f);
+    }
+    return;
+  }
+  Rings rings{cell.vertices, cell.ring_starts, {}, {}};
+  rings.offsets.push_back(count);
+  for (std::uint32_t r = 0; r < cell.ring_starts.size(); ++r) rings.ring.resize(rings.offsets[r + 1], r);
+  const OutlineIndex index(rings);
+  std::vector<std::uint32_t> near;
+  for (const auto e : asked) {
+    index.edgesIn(boxAround(cell.vertices[e], ends[e]), near);
+    for (const auto f : near) compare(e, f);
+  }
+}
 
 bool touchesItself(const ClippedCell& cell) {
   const auto& points = cell.vertices;

@@ -6,6 +6,8 @@
 #include <limits>
 #include <tuple>
 
+#include "geometry/polygon_measures.h"
+
 namespace vorpipe::core {
 namespace {
 
@@ -43,8 +45,8 @@ Extent extentOf(std::span<const Point> ring) {
 void dropPoints(Ring& ring) {
   std::size_t kept = 0;
   for (std::size_t k = 0; k < ring.points.size(); ++k) {
-    const Point here = ring.points[k], next = ring.points[k + 1 < ring.points.size() ? k + 1 : 0];
-    if (here.x == next.x && here.y == next.y) continue;
+    const Point here = ring.points[k];
+    if (here == nextOf(ring.points, k)) continue;
     ring.points[kept] = here;
     ring.neighbors[kept++] = ring.neighbors[k];
   }
@@ -56,7 +58,7 @@ double outlineLength(const Ring& ring) {
   double sum = 0;
   for (std::size_t k = 0; k < ring.points.size(); ++k) {
     if (ring.neighbors[k] != wall_outline) continue;
-    const Point a = ring.points[k], b = ring.points[k + 1 < ring.points.size() ? k + 1 : 0];
+    const Point a = ring.points[k], b = nextOf(ring.points, k);
     sum += std::hypot(b.x - a.x, b.y - a.y);
   }
   return sum;

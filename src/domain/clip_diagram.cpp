@@ -11,7 +11,6 @@
 #include "base/try.h"
 #include "cells/diagram_writer.h"
 #include "domain/group_clipper.h"
-#include "domain/own_parts.h"
 
 namespace vorpipe::core {
 namespace {
@@ -43,7 +42,7 @@ Result<void> checkAreas(const ScaledDiagram& cells, const Rings& rings, const Di
   const double sum = cells.scaled(areaSum(diagram), 2);
   double length = 0;
   for (std::uint32_t e = 0; e < rings.size(); ++e) {
-    const Point p = rings.points[e], q = rings.points[rings.next(e)];
+    const Point p = rings.points[e], q = rings.endOf(e);
     length += std::hypot(q.x - p.x, q.y - p.y);
   }
   const Box& box = cells.domain();
@@ -141,7 +140,7 @@ void clipAtContacts(const ClippedRun& run, const ScaledDiagram& cells, const Out
     });
   }
   for (auto& [edge, at] : contacts.nodes) {
-    const Point p = index.rings().points[edge], q = index.rings().points[index.rings().next(edge)];
+    const Point p = index.rings().points[edge], q = index.rings().endOf(edge);
     if (const Point to = movedPlace(moved, at); isNearForRounding(p, q, to)) at = to;
   }
   Rings refined;

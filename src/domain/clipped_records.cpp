@@ -68,7 +68,7 @@ class ClippedWriter {
     for (std::size_t r = 0; r < cell.ring_starts.size(); ++r) {
       const auto ring = cell.ring(r);
       for (std::size_t k = 0; k < ring.size(); ++k) {
-        const Point a = ring[k], b = ring[k + 1 < ring.size() ? k + 1 : 0];
+        const Point a = ring[k], b = nextOf(ring, k);
         const std::size_t e = cell.ring_starts[r] + k;
         const double length = lengthOf({b.x - a.x, b.y - a.y});
         perimeter += length;

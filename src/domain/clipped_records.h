@@ -5,10 +5,21 @@
 #include <span>
 
 #include "cells/cell_record.h"
+#include "cells/neighbor_rows.h"
 #include "domain/clip_cell.h"
-#include "domain/clipped_run.h"
+#include "sites/site_set.h"
 
 namespace vorpipe::core {
+
+/// The sites and the domain of a diagram, and the cells as they were found.
+struct ClippedRun {
+  const Sites& sites;
+  const Box& domain;
+  const SiteSet& set;
+  const NeighborRows& rows;
+  int exponent;  ///< computation is in the caller's units times 2^exponent
+  int threads;
+};
 
 /// A diagram's cells, scaled so that the domain's size is about 1.
 class ScaledDiagram {

@@ -6,9 +6,8 @@
 #include <tuple>
 
 #include "cells/cell_record.h"
-#include "geometry/line_predicates.h"
 #include "geometry/vertex_position.h"
-#include "geometry/wall_predicates.h"
+#include "geometry/vertex_predicates.h"
 
 namespace vorpipe::core {
 namespace {
@@ -134,7 +133,7 @@ void ContactFinder::findTouching(Point corner, std::span<const std::uint32_t> ne
     near = at_corner_;
   }
   for (const auto edge : near) {
-    const Point p = rings_.points[edge], q = rings_.points[rings_.next(edge)];
+    const Point p = rings_.points[edge], q = rings_.endOf(edge);
     if (!isNearBox(p, q, 0, corner) || p == corner || q == corner) continue;
     if (orientation(p, q, corner) == 0) found.nodes.push_back({edge, corner});
   }
@@ -147,7 +146,7 @@ bool ContactFinder::isInLine(const CellSides& sides, std::int64_t neighbor, Poin
 }
 
 void ContactFinder::findOnEdge(const CellSides& sides, std::uint32_t edge, Contacts& found) const {
-  const Point p = rings_.points[edge], q = rings_.points[rings_.next(edge)];
+  const Point p = rings_.points[edge], q = rings_.endOf(edge);
   const auto move = [&](Point from, Point to, MovedVertex::Target target) {
     found.nodes.push_back({edge, to});
     found.moved.push_back({from, to, target});

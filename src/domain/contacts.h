@@ -7,8 +7,8 @@
 #include <span>
 #include <vector>
 
-#include "domain/clipped_run.h"
-#include "domain/ring_nodes.h"
+#include "domain/clipped_records.h"
+#include "domain/edge_tree.h"
 #include "geometry/predicates.h"
 
 namespace vorpipe::core {
@@ -19,14 +19,10 @@ inline constexpr double farthest_moved = 2e-4;
 
 /// A cell in the box as a polygon, counter-clockwise, without edges whose ends are equal. Side k runs from
 /// vertex k to the next, with neighbor k as in Diagram. Coordinates are scaled.
-struct CellSides {
+struct CellSides : Polygon {
   std::uint32_t cell;  ///< of the set
-  std::span<const Point> vertices;
   std::span<const std::int64_t> neighbors;
 
-  [[nodiscard]] std::size_t size() const { return vertices.size(); }
-  [[nodiscard]] Point from(std::size_t k) const { return vertices[k]; }
-  [[nodiscard]] Point to(std::size_t k) const { return vertices[k + 1 < size() ? k + 1 : 0]; }
   /// The neighbor whose side ends at vertex k.
   [[nodiscard]] std::int64_t before(std::size_t k) const { return neighbors[k > 0 ? k - 1 : size() - 1]; }
 };

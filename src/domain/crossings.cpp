@@ -1,4 +1,4 @@
-#include "domain/crossings.h"
+#include "domain/clip_cell.h"
 
 #include <algorithm>
 #include <cmath>
@@ -8,14 +8,6 @@
 
 namespace vorpipe::core {
 namespace {
-
-Box boxAround(Point a, Point b) {
-  return {std::min(a.x, b.x), std::min(a.y, b.y), std::max(a.x, b.x), std::max(a.y, b.y)};
-}
-
-bool areApart(const Box& a, const Box& b) {
-  return a.xmax < b.xmin || b.xmax < a.xmin || a.ymax < b.ymin || b.ymax < a.ymin;
-}
 
 /// Twice the area of the triangle a, b, c.
 DoubleDouble twiceArea(Point a, Point b, Point c) {
@@ -41,7 +33,7 @@ Point meeting(Point a, Point b, Point p, Point q) {
 }  // namespace
 
 void Crossings::cross(std::uint32_t edge) {
-  const Point p = rings_.points[edge], q = rings_.points[rings_.next(edge)];
+  const Point p = rings_.points[edge], q = rings_.endOf(edge);
   const Box box = boxAround(p, q);
   for (std::size_t k = 0; k < polygon_.size(); ++k) {
     const Point a = polygon_.from(k), b = polygon_.to(k);
@@ -86,7 +78,7 @@ bool Crossings::traceEdge(std::size_t first, std::size_t last, bool& inside) {
   const auto edge = crossings_[first].edge;
   around_.clear();
   for (std::size_t c = first; c < last; ++c) around_.push_back(c);
-  if (!inTurns(around_, !inside, rings_.points[edge], rings_.points[rings_.next(edge)])) return false;
+  if (!inTurns(around_, !inside, rings_.points[edge], rings_.endOf(edge))) return false;
   for (const std::size_t c : around_) {
     inside = crossings_[c].enters;
     if (inside) {
@@ -145,7 +137,7 @@ void Crossings::take(const Polygon& polygon, std::span<const std::uint32_t> near
   whole_.clear();
   near_.clear();
   for (const auto e : near) {
-    if (!areApart(box_, boxAround(rings_.points[e], rings_.points[rings_.next(e)]))) near_.push_back(e);
+    if (!areApart(box_, boxAround(rings_.points[e], rings_.endOf(e)))) near_.push_back(e);
   }
 }
 
@@ -212,7 +204,7 @@ void Crossings::border(const Polygon& polygon, std::span<const std::uint32_t> ne
       on_side[crossings_[c].side].push_back(c);
     }
     const Point p = rings_.points[edge];
-    addPieces(around_, p, rings_.points[rings_.next(edge)], turnsAround(p), no_crossing, edges);
+    addPieces(around_, p, rings_.endOf(edge), turnsAround(p), no_crossing, edges);
   }
   for (std::size_t k = 0; k < polygon.size(); ++k)
     addPieces(on_side[k], polygon.from(k), polygon.to(k), turns[k], k, edges);

@@ -25,9 +25,8 @@ TreeBox treeBox(const Box& box) { return {{box.xmin, box.ymin}, {box.xmax, box.y
 std::vector<Leaf> leavesOf(const Rings& rings) {
   std::vector<Leaf> leaves(rings.size());
   for (std::uint32_t e = 0; e < rings.size(); ++e) {
-    const Point p = rings.points[e], q = rings.points[rings.next(e)];
-    leaves[e] = {treeBox({std::min(p.x, q.x), std::min(p.y, q.y), std::max(p.x, q.x), std::max(p.y, q.y)}),
-                 e};
+    const Point p = rings.points[e], q = rings.endOf(e);
+    leaves[e] = {treeBox(boxAround(p, q)), e};
   }
   return leaves;
 }
@@ -59,7 +58,7 @@ int OutlineIndex::turnsAround(Point p) const {
   int turns = 0;
   const TreeBox ray = treeBox({p.x, p.y, tree_->xmax, p.y});
   for (auto leaf = tree_->edges.qbegin(index::intersects(ray)); leaf != tree_->edges.qend(); ++leaf) {
-    const Point a = rings_.points[leaf->second], b = rings_.points[rings_.next(leaf->second)];
+    const Point a = rings_.points[leaf->second], b = rings_.endOf(leaf->second);
     if (crossesRay(a, b, p)) turns += b.y > a.y ? 1 : -1;
   }
   return turns;
@@ -70,7 +69,7 @@ bool OutlineIndex::isOnEdge(Point p) const {
   return std::any_of(tree_->edges.qbegin(index::intersects(treeBox({p.x, p.y, p.x, p.y}))),
                      tree_->edges.qend(), [&](const Leaf& leaf) {
                        const auto e = leaf.second;
-                       return orientation(rings_.points[e], rings_.points[rings_.next(e)], p) == 0;
+                       return orientation(rings_.points[e], rings_.endOf(e), p) == 0;
                      });
 }
 

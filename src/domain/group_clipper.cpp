@@ -118,9 +118,9 @@ void GroupClipper::join(const CellSides& sides, Point a, Point b, Point p, Round
   if (!isBetween(a, b, p) || !isNearForRounding(a, b, p)) return;
   const auto& rings = index_.rings();
   for (const auto edge : near_) {
-    if (rings.points[edge] == a && rings.points[rings.next(edge)] == b) addToEdge(edge, p, found);
+    if (rings.points[edge] == a && rings.endOf(edge) == b) addToEdge(edge, p, found);
   }
-  const CellSides parts{sides.cell, refined_.vertices, refined_.neighbors};
+  const Polygon parts{refined_.vertices};
   for (std::size_t k = 0; k < parts.size(); ++k) {
     if (parts.from(k) == a && parts.to(k) == b) addToSide(sides, k, p, found);
   }
@@ -128,12 +128,12 @@ void GroupClipper::join(const CellSides& sides, Point a, Point b, Point p, Round
 
 void GroupClipper::addToEdge(std::uint32_t edge, Point p, RoundedNodes& found) const {
   const auto& rings = index_.rings();
-  if (p != rings.points[edge] && p != rings.points[rings.next(edge)]) found.on_edges.push_back({edge, p});
+  if (p != rings.points[edge] && p != rings.endOf(edge)) found.on_edges.push_back({edge, p});
 }
 
 /// `part` counts the sides with nodes; the result refers to whole sides.
 void GroupClipper::addToSide(const CellSides& sides, std::size_t part, Point p, RoundedNodes& found) const {
-  const CellSides parts{sides.cell, refined_.vertices, refined_.neighbors};
+  const Polygon parts{refined_.vertices};
   if (p == parts.from(part) || p == parts.to(part)) return;
   const std::size_t k = refined_.part_of[part];
   const auto [a, b] = std::minmax({sides.from(k), sides.to(k)}, isLess);
@@ -193,13 +193,14 @@ void GroupClipper::findEdges(std::span<const Point> places) {
 /// Whether a cell that rounding has left no width lies on an edge of the outline.
 bool GroupClipper::runsAlongOutline(std::span<const Point> cell) const {
   return std::ranges::any_of(near_, [&](std::uint32_t e) {
-    const Point p = index_.rings().points[e], q = index_.rings().points[index_.rings().next(e)];
+    const Point p = index_.rings().points[e], q = index_.rings().endOf(e);
     return (p == cell.front() && q == cell.back()) || (q == cell.front() && p == cell.back());
   });
 }
 
 CellSides GroupClipper::sidesOf(const Member& member) const {
-  return {member.cell, std::span(points_).subspan(member.first, member.count),
+  return {{std::span(points_).subspan(member.first, member.count)},
+          member.cell,
           std::span(neighbors_).subspan(member.first, member.count)};
 }
 

@@ -1,9 +1,9 @@
 /// Clips cells to an outline, group by group.
 #pragma once
 
+#include "domain/clean_rings.h"
 #include "domain/clipped_records.h"
 #include "domain/contacts.h"
-#include "domain/ring_faults.h"
 
 namespace vorpipe::core {
 

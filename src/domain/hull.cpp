@@ -6,7 +6,6 @@
 
 #include "base/refusal.h"
 #include "domain/geos_outline.h"
-#include "domain/refused.h"
 
 namespace vorpipe {
 namespace {
@@ -23,7 +22,7 @@ GeosGeometry hullIn(const Geos& geos, const Sites& sites) {
 Result<Outline> makeHull(const Sites& sites, double margin) {
   const Geos geos;
   const auto failed = [&] {
-    return refuseOutline(fmt::format("GEOS could not make the hull: {}", geos.message()));
+    return core::refuseOutline(fmt::format("GEOS could not make the hull: {}", geos.message()));
   };
   GeosGeometry hull = hullIn(geos, sites);
   if (!hull) return failed();
@@ -31,7 +30,7 @@ Result<Outline> makeHull(const Sites& sites, double margin) {
   const bool has_area = type == GEOS_POLYGON;
   // A margin turns a line into a rectangle.
   if (!has_area && (type != GEOS_LINESTRING || !(margin > 0))) {
-    return refuseOutline(
+    return core::refuseOutline(
         fmt::format("the hull of the sites has no area: they all {}",
                     type == GEOS_LINESTRING ? "lie on a line, which takes a margin" : "stand in one place"));
   }
@@ -45,7 +44,7 @@ Result<Outline> makeHull(const Sites& sites, double margin) {
   Outline outline;
   if (!hull || !core::addPolygons(geos, hull.get(), outline)) return failed();
   if (outline.empty()) {
-    return refuseOutline(fmt::format(
+    return core::refuseOutline(fmt::format(
         "the hull of the sites with a margin of {} has no area in GEOS: scale the sites", margin));
   }
   return outline;
@@ -55,7 +54,7 @@ Result<Outline> makeHull(const Sites& sites, double margin) {
 
 Result<Outline> hullOf(const Sites& sites, double margin) {
   if (!(margin >= 0) || !std::isfinite(margin)) {
-    return refuseOutline(fmt::format("a margin of {} is none: it must be 0 or more", margin));
+    return core::refuseOutline(fmt::format("a margin of {} is none: it must be 0 or more", margin));
   }
   const auto isFinite = [](double value) { return std::isfinite(value); };
   if (!std::ranges::all_of(sites.x, isFinite) || !std::ranges::all_of(sites.y, isFinite)) {
@@ -63,7 +62,7 @@ Result<Outline> hullOf(const Sites& sites, double margin) {
   }
   const std::size_t fewest = margin > 0 ? 2 : 3;
   if (sites.size() < fewest) {
-    return refuseOutline(
+    return core::refuseOutline(
         fmt::format("the hull of {} {} has no area: it takes 3 that do not lie on a line, or "
                     "2 with a margin",
                     sites.size(), sites.size() == 1 ? "site" : "sites"));

@@ -8,10 +8,10 @@
 #include <vector>
 
 #include "base/try.h"
+#include "domain/edge_tree.h"
 #include "domain/geos_outline.h"
-#include "domain/refused.h"
-#include "domain/repaired.h"
 #include "domain/rings.h"
+#include "geometry/polygon_measures.h"
 
 namespace vorpipe::core {
 namespace {
@@ -20,17 +20,9 @@ namespace {
 /// the outline.
 constexpr double thinnest = 1e-10;
 
-std::span<const Point> ringAt(const Outline& outline, std::size_t ring) {
-  const auto begin = outline.ring_offsets[ring], end = outline.ring_offsets[ring + 1];
-  return std::span(outline.points).subspan(begin, end - begin);
-}
-
 double lengthOfRing(std::span<const Point> ring) {
   double length = 0;
-  for (std::size_t k = 0; k < ring.size(); ++k) {
-    const Point a = ring[k], b = ring[k + 1 < ring.size() ? k + 1 : 0];
-    length += std::hypot(b.x - a.x, b.y - a.y);
-  }
+  eachSide(ring, [&](Point a, Point b) { length += std::hypot(b.x - a.x, b.y - a.y); });
   return length;
 }
 
@@ -77,6 +69,79 @@ Outline withoutSlivers(const Outline& outline, std::size_t& slivers) {
     }
   }
   return kept;
+}
+
+/// The rings of a polygon unchanged; they may cross.
+Rings ringsOf(const Outline& outline, std::size_t polygon) {
+  Rings rings;
+  rings.offsets.push_back(0);
+  for (auto r = outline.polygon_offsets[polygon]; r < outline.polygon_offsets[polygon + 1]; ++r) {
+    const auto points = ringAt(outline, r);
+    rings.points.insert(rings.points.end(), points.begin(), points.end());
+    rings.ring.insert(rings.ring.end(), points.size(), static_cast<std::uint32_t>(rings.offsets.size() - 1));
+    rings.offsets.push_back(static_cast<std::uint32_t>(rings.points.size()));
+  }
+  return rings;
+}
+
+/// Decides which places belong to a polygon.
+class Windings {
+ public:
+  explicit Windings(const Rings& rings)
+      : rings_(rings), index_(rings), xmax_(boxOf(rings.points).xmax), odd_(rings.offsets.size() - 1) {}
+
+  /// Whether the first ring winds around p an odd number of times, and none of the others does.
+  bool contains(Point p) {
+    std::fill(odd_.begin(), odd_.end(), false);
+    index_.edgesIn({p.x, p.y, std::max(p.x, xmax_), p.y}, edges_);
+    for (const auto e : edges_) {
+      const auto ring = rings_.ring[e];
+      odd_[ring] = odd_[ring] != crossesRay(rings_.points[e], rings_.endOf(e), p);
+    }
+    return odd_.front() && std::find(odd_.begin() + 1, odd_.end(), true) == odd_.end();
+  }
+
+ private:
+  const Rings& rings_;
+  OutlineIndex index_;
+  double xmax_;
+  std::vector<bool> odd_;  ///< by ring
+  std::vector<std::uint32_t> edges_;
+};
+
+/// All faces that rings separate from each other, as polygons.
+GeosGeometry facesOf(const Geos& geos, const Rings& rings) {
+  std::vector<GeosGeometry> lines;
+  for (std::size_t r = 0; r + 1 < rings.offsets.size(); ++r) {
+    const auto begin = rings.offsets[r], end = rings.offsets[r + 1];
+    lines.push_back(geosRing(geos, std::span(rings.points).subspan(begin, end - begin)));
+  }
+  const GeosGeometry crossing = collected(geos, GEOS_GEOMETRYCOLLECTION, std::move(lines));
+  if (!crossing) return owned(geos, nullptr);
+  const GeosGeometry parted = owned(geos, GEOSUnaryUnion_r(geos.handle(), crossing.get()));
+  if (!parted) return owned(geos, nullptr);
+  const GEOSGeometry* const all = parted.get();
+  return owned(geos, GEOSPolygonize_r(geos.handle(), &all, 1));
+}
+
+/// Returns the region that a polygon's outer ring winds around an odd number of times, minus the like regions
+/// of its holes. Null if GEOS refuses. Time and memory grow with the number of edges and their crossings.
+GeosGeometry repairedPolygon(const Geos& geos, const Outline& outline, std::size_t polygon) {
+  const Rings rings = ringsOf(outline, polygon);
+  const GeosGeometry faces = facesOf(geos, rings);
+  if (!faces) return owned(geos, nullptr);
+  Windings windings(rings);
+  std::vector<GeosGeometry> kept;
+  const int count = GEOSGetNumGeometries_r(geos.handle(), faces.get());
+  for (int k = 0; k < count; ++k) {
+    const GEOSGeometry* const face = GEOSGetGeometryN_r(geos.handle(), faces.get(), k);
+    const GeosGeometry within = owned(geos, GEOSPointOnSurface_r(geos.handle(), face));
+    Point p{0, 0};
+    if (!readPoint(geos, within.get(), p)) return owned(geos, nullptr);
+    if (windings.contains(p)) kept.push_back(owned(geos, GEOSGeom_clone_r(geos.handle(), face)));
+  }
+  const GeosGeometry parts = collected(geos, GEOS_MULTIPOLYGON, std::move(kept));
+  return owned(geos, parts ? GEOSUnaryUnion_r(geos.handle(), parts.get()) : nullptr);
 }
 
 /// Mends one outline.
@@ -128,7 +193,7 @@ class Mending {
     return GEOSArea_r(geos_.handle(), geometry.get(), &area) == 1 ? area : 0;
   }
 
-  /// Same as core::repairedPolygon, with counting.
+  /// Same as repairedPolygon, with counting.
   GeosGeometry repaired(std::size_t polygon) {
     area_before_ += areaOf(outline_, polygon);
     rings_before_ += outline_.polygon_offsets[polygon + 1] - outline_.polygon_offsets[polygon];
@@ -143,10 +208,7 @@ class Mending {
 
   Result<MendedOutline> unite() {
     const std::size_t parts = parts_.size() - repaired_ + parts_made_;
-    auto taken = released(parts_);
-    const GeosGeometry all =
-        owned(geos_, GEOSGeom_createCollection_r(geos_.handle(), GEOS_GEOMETRYCOLLECTION, taken.data(),
-                                                 static_cast<unsigned>(taken.size())));
+    const GeosGeometry all = collected(geos_, GEOS_GEOMETRYCOLLECTION, std::move(parts_));
     if (!all) return failed();
     const GeosGeometry together = owned(geos_, GEOSUnaryUnion_r(geos_.handle(), all.get()));
     Outline united;

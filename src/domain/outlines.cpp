@@ -10,6 +10,8 @@
 #include "base/refusal.h"
 #include "base/try.h"
 #include "domain/degrees.h"
+#include "domain/rings.h"
+#include "geometry/polygon_measures.h"
 #include "vorpipe.h"
 
 namespace vorpipe {
@@ -45,10 +47,10 @@ bool goesAround(Point last, Point first) {
 /// Whether the rings are also rings in degrees: none crosses the antimeridian or goes around a pole.
 bool hasRingsInDegrees(const Outline& outline) {
   for (std::size_t r = 0; r + 1 < outline.ring_offsets.size(); ++r) {
-    const auto begin = outline.ring_offsets[r], end = outline.ring_offsets[r + 1];
-    for (auto p = begin; p < end; ++p) {
-      const Point a = outline.points[p], b = outline.points[p + 1 < end ? p + 1 : begin];
-      if (crossesAntimeridian(a, b) || (p + 1 == end && goesAround(a, b))) return false;
+    const auto points = core::ringAt(outline, r);
+    for (std::size_t p = 0; p < points.size(); ++p) {
+      const Point a = points[p], b = core::nextOf(points, p);
+      if (crossesAntimeridian(a, b) || (p + 1 == points.size() && goesAround(a, b))) return false;
     }
   }
   return true;
@@ -164,13 +166,13 @@ Result<Outline> toPlane(const Projection& projection, const Outline& degrees) {
   outline.ring_offsets = {0};
   outline.polygon_offsets = degrees.polygon_offsets;
   for (std::size_t r = 0; r + 1 < degrees.ring_offsets.size(); ++r) {
-    const auto begin = degrees.ring_offsets[r], end = degrees.ring_offsets[r + 1];
+    const auto places = core::ringAt(degrees, r);
     std::vector<Point> ring;
     Sides sides(projection, allowed, ring);
-    for (auto p = begin; p < end; ++p) {
-      const Point next = degrees.points[p + 1 < end ? p + 1 : begin];
-      if (p + 1 == end && goesAround(degrees.points[p], next)) break;
-      sides.add(degrees.points[p], next);
+    for (std::size_t p = 0; p < places.size(); ++p) {
+      const Point next = core::nextOf(places, p);
+      if (p + 1 == places.size() && goesAround(places[p], next)) break;
+      sides.add(places[p], next);
     }
     while (ring.size() > 1 && ring.back() == ring.front()) ring.pop_back();
     addRing(ring, outline);

@@ -50,7 +50,7 @@ struct Bands {
 Bands bandsOf(const Rings& rings, const Centers& centers, int height) {
   const int count = (height + band_rows - 1) / band_rows;
   const auto eachBand = [&](std::uint32_t e, const auto& take) {
-    const Point p = rings.points[e], q = rings.points[rings.next(e)];
+    const Point p = rings.points[e], q = rings.endOf(e);
     // One more row on either side allows for rounding of the estimate.
     const int top = std::max(0, centers.rowsAbove(std::max(p.y, q.y)) - 1);
     const int bottom = std::min(height - 1, centers.rowsAbove(std::min(p.y, q.y)) + 1);
@@ -98,7 +98,7 @@ void maskOutside(const Rings& rings, const Box& domain, int exponent, int thread
         const double y = centers.y(row);
         turns.clear();
         for (auto k = bands.offsets[band]; k < bands.offsets[band + 1]; ++k) {
-          const Point p = rings.points[bands.edges[k]], q = rings.points[rings.next(bands.edges[k])];
+          const Point p = rings.points[bands.edges[k]], q = rings.endOf(bands.edges[k]);
           if ((p.y >= y) != (q.y >= y)) turns.push_back(columnsLeftOf(p, q, centers, y, image.width));
         }
         std::ranges::sort(turns);

@@ -14,7 +14,8 @@
 #include "base/refusal.h"
 #include "base/try.h"
 #include "domain/degrees.h"
-#include "domain/turns.h"
+#include "domain/rings.h"
+#include "geometry/polygon_measures.h"
 #include "vorpipe.h"
 
 namespace vorpipe {
@@ -77,7 +78,7 @@ class SpaceBox {
 std::optional<Point> middleLeftOf(std::span<const Point> ring) {
   SpacePoint sum{};
   for (std::size_t i = 0; i < ring.size(); ++i) {
-    const SpacePoint a = inSpace(ring[i]), b = inSpace(ring[(i + 1) % ring.size()]);
+    const SpacePoint a = inSpace(ring[i]), b = inSpace(core::nextOf(ring, i));
     for (std::size_t k = 0; k < sum.size(); ++k) {
       const std::size_t next = (k + 1) % sum.size(), last = (k + 2) % sum.size();
       sum[k] += a[next] * b[last] - a[last] * b[next];
@@ -101,6 +102,66 @@ Result<void> checkPlaces(const Sites& degrees) {
   return {};
 }
 
+/// The whole turns, in degrees, that bring a longitude next to another one.
+double turnsTo(double longitude, double other) {
+  return whole_turn * std::round((other - longitude) / whole_turn);
+}
+
+/// Number of edges that cross the meridian opposite to the center.
+std::size_t jumpsOf(std::span<const Point> ring) {
+  std::size_t jumps = 0;
+  core::eachSide(ring, [&](Point a, Point b) { jumps += std::abs(b.x - a.x) > whole_turn / 2 ? 1u : 0u; });
+  return jumps;
+}
+
+struct Longitudes {
+  double least, most;
+  [[nodiscard]] double middle() const { return least + (most - least) / 2; }
+};
+
+Longitudes longitudesOf(std::span<const Point> ring) {
+  const auto [least, most] = std::ranges::minmax(ring, {}, &Point::x);
+  return {least.x, most.x};
+}
+
+void turn(std::span<Point> points, double degrees) {
+  for (Point& point : points) point.x += degrees;
+}
+
+/// Makes the longitudes of a cell, which are within a half turn of the center's, continuous along its rings.
+/// They are then in the turn in which the cell contains its site of longitude `site`, if there is one; its
+/// centroids move along. A ring around a pole stays as it is: one of its edges leads from one side of that
+/// meridian to the other.
+void joinTurns(double site, std::size_t cell, Diagram& diagram) {
+  const CellRings rings = diagram.cell(cell).rings();
+  std::optional<double> place;  ///< longitude of the cell, once known
+  bool joined = false;
+  for (std::size_t r = 0; r < rings.size(); ++r) {
+    const std::size_t jumps = jumpsOf(rings[r]);
+    if (jumps == 0 || jumps % 2 == 1) continue;
+    const auto ring = std::span(diagram.vertices).subspan(rings.begin(r), rings[r].size());
+    for (std::size_t k = 1; k < ring.size(); ++k) ring[k].x += turnsTo(ring[k].x, ring[k - 1].x);
+    joined = true;
+    const auto [least, most] = longitudesOf(ring);
+    const double near = site + turnsTo(site, (least + most) / 2);
+    const bool holds_site = near >= least && near <= most;
+    if (!place && holds_site) place = site;
+  }
+  if (!joined) return;
+  const std::uint64_t begin = diagram.cell_offsets[cell];
+  const auto all = std::span(diagram.vertices).subspan(begin, diagram.cell_offsets[cell + 1] - begin);
+  if (!place) place = longitudesOf(all).middle();
+  for (std::size_t r = 0; r < rings.size(); ++r) {
+    const auto ring = std::span(diagram.vertices).subspan(rings.begin(r), rings[r].size());
+    if (jumpsOf(ring) == 0) turn(ring, turnsTo(longitudesOf(ring).middle(), *place));
+  }
+  const double middle = longitudesOf(all).middle();
+  diagram.centroid[cell].x += turnsTo(diagram.centroid[cell].x, middle);
+  if (!diagram.mass_centroid.empty()) {
+    diagram.mass_centroid[cell].x += turnsTo(diagram.mass_centroid[cell].x, middle);
+  }
+}
+
 }  // namespace
 
 Result<Projection> projectionAmid(const Sites& degrees) {
@@ -119,8 +180,7 @@ Result<Projection> projectionAmid(const Outline& degrees) {
   SpaceBox box;
   for (const Point place : degrees.points) box.add(place);
   if (const auto middle = box.middle()) return projectionNear(*middle);
-  const std::span<const Point> first(degrees.points.data(), degrees.ring_offsets[1]);
-  return projectionNear(middleLeftOf(first).value_or(Point{0, 0}));
+  return projectionNear(middleLeftOf(core::ringAt(degrees, 0)).value_or(Point{0, 0}));
 }
 
 Result<Sites> toPlane(const Projection& projection, const Sites& degrees, int threads) {
@@ -160,7 +220,7 @@ void toDegrees(const Projection& projection, const Sites& degrees, Diagram& diag
   convert(diagram.mass_centroid, ofSite);
   if (diagram.vertices.empty()) return;
   parallelFor(diagram.size(), places_grain, threadCount(threads), [&](std::size_t begin, std::size_t end) {
-    for (auto i = begin; i < end; ++i) core::joinTurns(degrees.x[i], i, diagram);
+    for (auto i = begin; i < end; ++i) joinTurns(degrees.x[i], i, diagram);
   });
 }
 

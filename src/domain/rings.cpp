@@ -5,18 +5,15 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "base/double_double.h"
 #include "base/refusal.h"
+#include "geometry/polygon_measures.h"
 #include "geometry/predicates.h"
 
 namespace vorpipe::core {
 namespace {
-
-bool isInBox(Point a, Point b, Point p) {
-  return p.x >= std::min(a.x, b.x) && p.x <= std::max(a.x, b.x) && p.y >= std::min(a.y, b.y) &&
-         p.y <= std::max(a.y, b.y);
-}
 
 constexpr double farthest_corner = 0x1p200;  ///< limit of the predicates
 
@@ -88,8 +85,7 @@ bool isCounterClockwise(std::span<const Point> ring) {
   // At its leftmost point a ring turns in the direction in which it runs.
   const auto leftmost = static_cast<std::size_t>(std::ranges::min_element(ring, isLess) - ring.begin());
   const Point before = ring[leftmost > 0 ? leftmost - 1 : ring.size() - 1];
-  const Point after = ring[leftmost + 1 < ring.size() ? leftmost + 1 : 0];
-  return orientation(before, ring[leftmost], after) > 0;
+  return orientation(before, ring[leftmost], nextOf(ring, leftmost)) > 0;
 }
 
 double areaOfRing(std::span<const Point> ring) {
@@ -121,7 +117,7 @@ bool liesIn(std::span<const Point> outer, std::span<const Point> ring) {
 double areaInside(const Rings& rings, const Box& box) {
   DoubleDouble sum{0, 0};
   for (std::uint32_t e = 0; e < rings.size(); ++e) {
-    sum = sum + areaBeside(rings.points[e], rings.points[rings.next(e)], box);
+    sum = sum + areaBeside(rings.points[e], rings.endOf(e), box);
   }
   return sum.high;
 }
@@ -148,6 +144,28 @@ bool crossesRay(Point p, Point q, Point a) {
   if ((p.y >= a.y) == up) return false;
   if (p.x < a.x && q.x < a.x) return false;
   return (sideOfEdge(p, q, a) > 0) == up;
+}
+
+Rings withNodes(const Rings& rings, std::vector<EdgeNode> nodes) {
+  std::ranges::sort(nodes, {}, [&](const EdgeNode& node) {
+    const Point p = rings.points[node.edge], q = rings.endOf(node.edge);
+    return std::pair(node.edge, placeAlong(p, q, node.at));
+  });
+  Rings refined;
+  refined.outer = rings.outer;
+  auto node = nodes.begin();
+  for (std::uint32_t e = 0; e < rings.size(); ++e) {
+    const auto ring = rings.ring[e];
+    if (rings.offsets[ring] == e) refined.offsets.push_back(static_cast<std::uint32_t>(refined.size()));
+    refined.points.push_back(rings.points[e]);
+    const Point end = rings.endOf(e);
+    for (; node != nodes.end() && node->edge == e; ++node) {
+      if (node->at != refined.points.back() && node->at != end) refined.points.push_back(node->at);
+    }
+    refined.ring.resize(refined.size(), ring);
+  }
+  refined.offsets.push_back(static_cast<std::uint32_t>(refined.size()));
+  return refined;
 }
 
 }  // namespace vorpipe::core

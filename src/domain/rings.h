@@ -1,6 +1,7 @@
 /// An outline prepared for clipping.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdint>
@@ -26,6 +27,20 @@ inline std::array<double, 2> placeAlong(Point a, Point b, Point p) {
   return std::abs(b.x - a.x) >= std::abs(b.y - a.y) ? std::array{x, y} : std::array{y, x};
 }
 
+inline Box boxAround(Point a, Point b) {
+  return {std::min(a.x, b.x), std::min(a.y, b.y), std::max(a.x, b.x), std::max(a.y, b.y)};
+}
+
+/// Whether p lies in the box of a and b, its border included.
+inline bool isInBox(Point a, Point b, Point p) {
+  const Box box = boxAround(a, b);
+  return p.x >= box.xmin && p.x <= box.xmax && p.y >= box.ymin && p.y <= box.ymax;
+}
+
+inline bool areApart(const Box& a, const Box& b) {
+  return a.xmax < b.xmin || b.xmax < a.xmin || a.ymax < b.ymin || b.ymax < a.ymin;
+}
+
 /// Whether a point on or near the line through a and b lies strictly between them.
 inline bool isBetween(Point a, Point b, Point p) {
   return p != a && p != b && alongWay(a, b, p) > 0 && alongWay(b, a, p) > 0;
@@ -47,6 +62,7 @@ struct Rings {
   [[nodiscard]] std::uint32_t next(std::uint32_t e) const {
     return e + 1 < offsets[ring[e] + std::size_t{1}] ? e + 1 : offsets[ring[e]];
   }
+  [[nodiscard]] Point endOf(std::uint32_t e) const { return points[next(e)]; }
   [[nodiscard]] bool isOuter(std::uint32_t r) const { return outer[r] == r; }
 };
 
@@ -56,6 +72,12 @@ struct Rings {
 /// domain that is also periodic. Error (input): names the ring, or the place in the outline's own
 /// coordinates.
 Result<void> checkOutline(const Outline& outline, Periodic periodic);
+
+/// A ring of an outline.
+inline std::span<const Point> ringAt(const Outline& outline, std::size_t ring) {
+  const auto begin = outline.ring_offsets[ring], end = outline.ring_offsets[ring + 1];
+  return std::span(outline.points).subspan(begin, end - begin);
+}
 
 /// The rings of a valid outline, scaled by 2^exponent. Error (input): they are too far from the domain, which
 /// this scale makes about 1 in size.
@@ -86,5 +108,14 @@ int sideOfEdge(Point p, Point q, Point a);
 
 /// p to q is an edge of a ring; a is no vertex of one. Whether the edge crosses the ray from a to the right.
 bool crossesRay(Point p, Point q, Point a);
+
+/// A point to insert into an edge.
+struct EdgeNode {
+  std::uint32_t edge;
+  Point at;
+};
+
+/// The rings with these points in their edges, each once; a point at an end of its edge is already there.
+Rings withNodes(const Rings& rings, std::vector<EdgeNode> nodes);
 
 }  // namespace vorpipe::core

@@ -1,4 +1,4 @@
-#include "domain/seam.h"
+#include "domain/periodic_records.h"
 
 #include <algorithm>
 #include <bit>
@@ -214,7 +214,7 @@ class SeamRepair {
       const auto first = out;
       for (auto e = begin; e < end; ++e) {
         const auto& here = roots[e - begin];
-        const auto& after = roots[e + 1 < end ? e + 1 - begin : 0];
+        const auto& after = nextOf(roots, e - begin);
         if (here && after && *here == *after) continue;
         d.vertices[out] = here ? moved(corners_.place(here->corner), here->shift) : d.vertices[e];
         d.neighbors[out] = d.neighbors[e];

@@ -2,13 +2,14 @@
 #include <cmath>
 #include <numbers>
 
+#include "geometry/polygon_measures.h"
 #include "vorpipe.h"
 #include "vorpipe/free_surface.h"
 
 namespace vorpipe {
 namespace {
 
-constexpr auto air = static_cast<std::int64_t>(Wall::outline);
+constexpr auto free_surface = static_cast<std::int64_t>(Wall::outline);
 
 /// The angle that a line from a to b, counter-clockwise around `from`, subtends there.
 double angleOf(Point a, Point b, Point from) {
@@ -21,12 +22,11 @@ double angleOf(Point a, Point b, Point from) {
 std::vector<BorderPart> borderOf(const Cell& cell, Point site) {
   const auto vertices = cell.vertices();
   const auto neighbors = cell.neighbors();
-  const std::size_t count = vertices.size();
   std::vector<BorderPart> parts;
   bool in_arc = false;
-  for (std::size_t k = 0; k < count; ++k) {
-    const Point from = vertices[k], to = vertices[k + 1 < count ? k + 1 : 0];
-    const bool is_arc = neighbors[k] == air;
+  for (std::size_t k = 0; k < vertices.size(); ++k) {
+    const Point from = vertices[k], to = core::nextOf(vertices, k);
+    const bool is_arc = neighbors[k] == free_surface;
     if (!in_arc || !is_arc) parts.push_back({from, to, 0, neighbors[k]});
     if (is_arc) {
       parts.back().to = to;
@@ -40,7 +40,7 @@ std::vector<BorderPart> borderOf(const Cell& cell, Point site) {
 
 bool hasFreeSurface(const Diagram& diagram, const Outline& outline) {
   return outline.empty() && !diagram.vertices.empty() &&
-         std::ranges::find(diagram.neighbors, air) != diagram.neighbors.end();
+         std::ranges::find(diagram.neighbors, free_surface) != diagram.neighbors.end();
 }
 
 }  // namespace vorpipe

@@ -1,7 +1,7 @@
 #include "geometry/center_batch.h"
 
 #include "base/processors.h"
-#include "geometry/wide_center.h"
+#include "geometry/power_center.h"
 
 namespace vorpipe::core {
 

@@ -171,11 +171,7 @@ void sortAlongCurve(const SiteSet& sites, std::vector<std::uint32_t>& which, int
   BigVector<OnCurve> placed(which.size());
   std::transform(which.begin(), which.end(), placed.begin(), [](std::uint32_t i) { return OnCurve{0, i}; });
   const Box box = boxAround(sites, placed);
-  const auto forRanges = [&](const auto& work) {
-    parallelFor(placed.size(), curve_order_grain, threads,
-                [&](std::size_t begin, std::size_t end) { work(begin, end); });
-  };
-  forRanges([&](std::size_t begin, std::size_t end) {
+  parallelFor(placed.size(), curve_order_grain, threads, [&](std::size_t begin, std::size_t end) {
     place(sites, box, std::span(placed).subspan(begin, end - begin));
   });
   RadixSort(placed, threads).run();

@@ -4,9 +4,8 @@
 #include <cmath>
 #include <numbers>
 
-#include "geometry/far_disc.h"
+#include "base/double_double.h"
 #include "geometry/polygon_measures.h"
-#include "geometry/segment.h"
 
 namespace vorpipe::core {
 namespace {
@@ -15,6 +14,119 @@ constexpr double pi = std::numbers::pi;
 
 double cross(Point a, Point b) { return a.x * b.y - a.y * b.x; }
 double dot(Point a, Point b) { return a.x * b.x + a.y * b.y; }
+
+Point onLine(const EdgeLine& line, double along) {
+  return {line.distance * line.normal.x - along * line.normal.y,
+          line.distance * line.normal.y + along * line.normal.x};
+}
+
+/// Position along the line, from its point nearest to the center.
+double alongLine(const EdgeLine& line, Point p) { return line.normal.x * p.y - line.normal.y * p.x; }
+
+/// Half the length of the infinite line inside the disc; 0 if the line misses it.
+double halfChord(const EdgeLine& line, double squared_radius) {
+  return std::sqrt(std::max(std::fma(-line.distance, line.distance, squared_radius), 0.0));
+}
+
+DoubleDouble wideDot(Point a, Point b) {
+  return DoubleDouble::product(a.x, b.x) + DoubleDouble::product(a.y, b.y);
+}
+
+Point between(Point a, Point b, double part) { return {a.x + part * (b.x - a.x), a.y + part * (b.y - a.y)}; }
+
+/// For a chord that begins inside: the fraction of the way, 0 to 1, after which it leaves the disc. `along`
+/// is alongFromCenter() at its beginning, and `squared` the squared length of the way.
+double partUntilOutside(double inwards, double along, double squared) {
+  const double root = std::sqrt(std::max(along * along + squared * inwards, 0.0));
+  const double part = along > 0 ? inwards / (along + root) : (root - along) / squared;
+  return std::clamp(part, 0.0, 1.0);
+}
+
+/// A disc much larger than a polygon, whose center is far away. Locates the circle to some 1e-16 of the
+/// polygon, not of the disc: the gap between the polygon's corners and the circle is a difference of two
+/// large squares, computed in double-double.
+class FarDisc {
+ public:
+  /// `center` is relative to an origin near the polygon, as the polygon's corners are.
+  FarDisc(Point center, double squared_radius)
+      : center_(center), origin_inwards_(DoubleDouble(squared_radius) - wideDot(center, center)) {}
+
+  struct End {
+    Point place;
+    double inwards;  ///< squared_radius - |place - center|^2: negative outside of the disc
+  };
+  [[nodiscard]] End endAt(Point p) const {
+    const DoubleDouble cross = wideDot(p, center_);
+    return {p, (origin_inwards_ + cross + cross - wideDot(p, p)).high};
+  }
+
+  [[nodiscard]] Chord chordOf(const End& begin, const End& end) const {
+    const bool enters = begin.inwards < 0, leaves = end.inwards < 0;
+    const Point a = begin.place, b = end.place, way{b.x - a.x, b.y - a.y}, back{-way.x, -way.y};
+    const double squared = way.x * way.x + way.y * way.y, length = std::sqrt(squared);
+    if (!enters && !leaves) return {a, b, length, false, false, true};
+    if (!enters) {
+      const double part = partUntilOutside(begin.inwards, alongFromCenter(a, way), squared);
+      return {a, between(a, b, part), part * length, false, true, true};
+    }
+    if (!leaves) {
+      const double part = partUntilOutside(end.inwards, alongFromCenter(b, back), squared);
+      return {between(b, a, part), b, part * length, true, false, true};
+    }
+    const double along = alongFromCenter(a, way), root_of = along * along + squared * begin.inwards;
+    if (!(along < 0 && along + squared > 0 && root_of > 0)) return {};
+    const double root = std::sqrt(root_of);
+    const double first = std::max((-along - root) / squared, 0.0),
+                 last = std::min((root - along) / squared, 1.0);
+    return {
+        between(a, b, first), between(a, b, last), std::max(last - first, 0.0) * length, true, true, true};
+  }
+
+ private:
+  /// (p - center) . way
+  [[nodiscard]] double alongFromCenter(Point p, Point way) const {
+    return (wideDot(p, way) - wideDot(center_, way)).high;
+  }
+
+  Point center_;
+  DoubleDouble origin_inwards_;
+};
+
+/// Integrals over the segment of a disc of radius 1. x runs along the chord, from its middle; y runs away
+/// from the center, from the chord.
+struct Integrals {
+  double one, y, xx, yy;
+};
+
+/// With a = half_angle and x = sin u, for -a <= u <= a, the height of a segment is cos u - cos a. The
+/// integrals of its powers are sums of these terms.
+Integrals closedIntegrals(double a) {
+  const double sin2 = std::sin(2 * a), sin4 = std::sin(4 * a), cosine = std::cos(a);
+  return {a - sin2 / 2, 0.75 * std::sin(a) + std::sin(3 * a) / 12 - a * cosine,
+          (a - sin2 * 2 / 3 + sin4 / 12) / 4, 0.75 * a + a * std::cos(2 * a) / 2 - sin2 * 7 / 12 - sin4 / 48};
+}
+
+/// The same by Taylor's series of the sines and cosines, up to the power `last` of the angle: their first
+/// powers, which would cancel, are left out. For angles up to 1.
+Integrals seriesOfIntegrals(double a) {
+  constexpr int last = 33;
+  Integrals sum{0, 0, 0, 0};
+  double term = a;                      // +-a^n / n!
+  double two = 2, three = 3, four = 4;  // to the power n
+  for (int n = 3; n <= last; n += 2) {
+    term *= -a * a / ((n - 1) * n);
+    two *= 4;
+    three *= 9;
+    four *= 16;
+    sum.one -= term * two / 2;
+    if (n >= 5) {
+      sum.y += term * (9 + three - 12 * n) / 12;
+      sum.xx += term * (four - 8 * two) / 48;
+    }
+    if (n >= 7) sum.yy += term * ((12 * n - 28) * two - four) / 48;
+  }
+  return sum;
+}
 
 /// The angle by which a polygon turns from an edge to the next: 0 to pi, because it is convex.
 double turnBetween(const EdgeLine& edge, const EdgeLine& next) {
@@ -52,6 +164,35 @@ double arcBetween(std::span<const EdgeLine> lines, std::size_t from, std::size_t
 }
 
 }  // namespace
+
+EdgeLine lineThrough(Point a, Point b) {
+  const double x = b.x - a.x, y = b.y - a.y, length = std::hypot(x, y);
+  if (!(length > 0)) return {{0, 0}, 0};
+  const DoubleDouble twice_area = DoubleDouble::product(a.x, b.y) - DoubleDouble::product(a.y, b.x);
+  return {{y / length, -x / length}, twice_area.high / length};
+}
+
+Chord chordOf(const EdgeLine& line, const EdgeEnd& begin, const EdgeEnd& end, double squared_radius) {
+  const double first = alongLine(line, begin.place), last = alongLine(line, end.place);
+  const double half = halfChord(line, squared_radius);
+  if (!begin.inside && !end.inside && !(half > 0 && first < 0 && last > 0)) return {};
+  // Rounding may place an end on the wrong side of the crossing of edge and circle.
+  const double from = begin.inside ? first : std::min(-half, end.inside ? last : half);
+  const double to = end.inside ? last : std::max(half, from);
+  return {begin.inside ? begin.place : onLine(line, from),
+          end.inside ? end.place : onLine(line, to),
+          std::max(to - from, 0.0),
+          !begin.inside,
+          !end.inside,
+          true};
+}
+
+SegmentMeasures measureSegment(double radius, double half_angle) {
+  const Integrals of = half_angle < 1 ? seriesOfIntegrals(half_angle) : closedIntegrals(half_angle);
+  if (!(of.one > 0)) return {0, 0, 0, 0};
+  const double height = of.y / of.one, squared = radius * radius, fourth = squared * squared;
+  return {squared * of.one, radius * height, fourth * of.xx, fourth * (of.yy - of.y * height)};
+}
 
 bool DiscCut::isFar(std::span<const Point> corners, double squared_radius) {
   constexpr double much_larger = 8;
@@ -115,11 +256,10 @@ DiscShape DiscCut::cutFar(std::span<const Point> corners, Point center, double s
   chords_.clear();
   const FarDisc disc(center, squared_radius);
   bool all_inside = true, any_crossing = false;
-  const auto end_at = [&](Point p) { return FarDisc::End{p, disc.inwards(p)}; };
-  FarDisc::End begin = end_at(corners[0]);
+  FarDisc::End begin = disc.endAt(corners[0]);
   const FarDisc::End first = begin;
   for (std::size_t k = 0; k < corners.size(); ++k) {
-    const FarDisc::End end = k + 1 < corners.size() ? end_at(corners[k + 1]) : first;
+    const FarDisc::End end = k + 1 < corners.size() ? disc.endAt(corners[k + 1]) : first;
     chords_.push_back(disc.chordOf(begin, end));
     all_inside = all_inside && !(begin.inwards < 0);
     any_crossing = any_crossing || chords_.back().leaves;

@@ -6,6 +6,7 @@
 #include <cstddef>
 
 #include "base/double_double.h"
+#include "geometry/predicates.h"
 
 namespace vorpipe::core {
 
@@ -92,5 +93,15 @@ inline Expansion<2> difference(double a, double b) {
   result.append(d.high);
   return result;
 }
+
+/// A point relative to d, lifted to the paraboloid, with a weight, which moves it down by weight - d.weight.
+struct LiftedByWeight {
+  Expansion<2> x, y;
+  Expansion<18> squared;  ///< x^2 + y^2 less that
+  LiftedByWeight(const WeightedPoint& p, const WeightedPoint& d)
+      : x(difference(p.x, d.x)),
+        y(difference(p.y, d.y)),
+        squared(x * x + y * y + difference(d.weight, p.weight)) {}
+};
 
 }  // namespace vorpipe::core

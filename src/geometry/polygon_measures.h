@@ -17,6 +17,18 @@ struct Measures {
 /// The integral of the squared distance to the centroid.
 inline double spreadOf(const Measures& m) { return m.second_moments[0] + m.second_moments[2]; }
 
+/// The element of a closed ring that follows element k.
+template <class Ring>
+decltype(auto) nextOf(const Ring& ring, std::size_t k) {
+  return ring[k + 1 < ring.size() ? k + 1 : 0];
+}
+
+/// Calls take(a, b) for each side of a closed polygon.
+template <class Take>
+void eachSide(std::span<const Point> ring, const Take& take) {
+  for (std::size_t k = 0; k < ring.size(); ++k) take(ring[k], nextOf(ring, k));
+}
+
 /// std::hypot, but faster where no square overflows or underflows.
 double lengthOf(Point way);
 

@@ -16,16 +16,6 @@ struct Lifted {
   Lifted(Point p, Point d) : x(difference(p.x, d.x)), y(difference(p.y, d.y)), squared(x * x + y * y) {}
 };
 
-/// The same with a weight, which moves the point down by weight - d.weight.
-struct LiftedByWeight {
-  Expansion<2> x, y;
-  Expansion<18> squared;
-  LiftedByWeight(const WeightedPoint& p, const WeightedPoint& d)
-      : x(difference(p.x, d.x)),
-        y(difference(p.y, d.y)),
-        squared(x * x + y * y + difference(d.weight, p.weight)) {}
-};
-
 /// Whether a, b and c, d are the parallel sides of a trapezoid symmetric about an axis-parallel line: its
 /// corners lie on a circle. Rectangles are among these.
 bool isMirrored(Point a, Point b, Point c, Point d) {

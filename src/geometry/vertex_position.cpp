@@ -10,7 +10,6 @@
 #include "base/processors.h"
 #include "geometry/polygon_measures.h"
 #include "geometry/power_center.h"
-#include "geometry/wide_center.h"
 
 namespace vorpipe::core {
 namespace {

@@ -6,7 +6,7 @@
 
 #include "cells/judge.h"
 #include "picture/kept_picture.h"
-#include "sites/scene.h"
+#include "sites/images.h"
 
 namespace vorpipe::core {
 

@@ -10,7 +10,7 @@
 #include "domain/edge_tree.h"
 #include "picture/palette.h"
 #include "sites/bin_sort.h"
-#include "sites/scene.h"
+#include "sites/images.h"
 #include "sites/weights.h"
 #include "vorpipe/shapes.h"
 

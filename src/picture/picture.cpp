@@ -11,7 +11,7 @@
 #include "picture/legend.h"
 #include "picture/palette.h"
 #include "picture/pixels.h"
-#include "sites/scene.h"
+#include "sites/images.h"
 #include "vorpipe.h"
 
 namespace vorpipe {

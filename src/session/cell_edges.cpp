@@ -1,13 +1,13 @@
 #include "session/cell_edges.h"
 
+#include <algorithm>
 #include <cmath>
 #include <optional>
 #include <vector>
 
 #include "base/parallel.h"
 #include "cells/cell_walk.h"
-#include "domain/cell_rings.h"
-#include "domain/segment_density.h"
+#include "domain/density_pixels.h"
 #include "geometry/polygon_measures.h"
 
 namespace vorpipe::core {
@@ -142,6 +142,19 @@ EdgesOfCells edgesInDiscs(const FoundBox& found, const FreeSurface& surface, con
 }
 
 namespace {
+
+/// Calls take(v, next) with the first and last vertex of each edge of a cell, whose vertices are begin to end
+/// - 1. `ring_starts` is that of the diagram.
+template <class Take>
+void eachEdge(std::span<const std::uint64_t> ring_starts, std::uint64_t begin, std::uint64_t end,
+              const Take& take) {
+  auto start = std::ranges::upper_bound(ring_starts, begin);
+  for (auto ring = begin; ring < end;) {
+    const auto next = start != ring_starts.end() ? std::min(*start++, end) : end;
+    for (auto v = ring; v < next; ++v) take(v, v + 1 < next ? v + 1 : ring);
+    ring = next;
+  }
+}
 
 constexpr std::size_t polygon_edges_grain = 4096;
 

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <vector>
 
-#include "geometry/chord.h"
+#include "geometry/disc_cut.h"
 #include "session/box_moments.h"
 
 namespace vorpipe::core {

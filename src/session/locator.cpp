@@ -12,8 +12,8 @@
 #include "base/parallel.h"
 #include "base/try.h"
 #include "domain/edge_tree.h"
-#include "sites/band.h"
 #include "sites/bin_sort.h"
+#include "sites/images.h"
 #include "sites/site_set.h"
 #include "vorpipe.h"
 

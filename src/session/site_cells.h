@@ -6,7 +6,7 @@
 
 #include "base/big_vector.h"
 #include "sites/bin_sort.h"
-#include "sites/frame.h"
+#include "sites/grid.h"
 #include "vorpipe/tiled.h"
 
 namespace vorpipe::core {

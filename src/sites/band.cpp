@@ -1,9 +1,10 @@
-#include "sites/band.h"
+#include "sites/images.h"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <nanoflann.hpp>
+#include <numeric>
 
 #include "backend/backend.h"
 #include "base/parallel.h"
@@ -24,7 +25,7 @@ constexpr std::size_t band_grain = 256;
 
 struct Strip {
   std::vector<std::array<double, 2>> point;  ///< across the line, along it
-  std::vector<double> lack;                  ///< by how much its weight is less than the heaviest
+  std::vector<double> deficit;               ///< by how much its weight is less than the heaviest
 
   [[nodiscard]] std::size_t kdtree_get_point_count() const { return point.size(); }
   [[nodiscard]] double kdtree_get_pt(std::uint32_t i, std::size_t axis) const { return point[i][axis]; }
@@ -52,10 +53,10 @@ Strip stripOf(const PeriodicSites& placed, const Band& band, std::size_t a, doub
   for (std::uint32_t i = 0; i < across.size(); ++i) {
     const double after = across[i] - axis.low, before = axis.high - across[i];
     if (std::min(after, before) > width) continue;
-    const double lack = weight.empty() ? 0 : band.heaviest - weight[i];
-    if (lack < 0) continue;
+    const double deficit = weight.empty() ? 0 : band.heaviest - weight[i];
+    if (deficit < 0) continue;
     strip.point.push_back({after < before ? after : -before, along[i]});
-    strip.lack.push_back(lack);
+    strip.deficit.push_back(deficit);
   }
   return strip;
 }
@@ -78,7 +79,7 @@ double reachOnLine(const PeriodicSites& placed, const Strip& strip, std::size_t 
     std::array<double, nearest_asked> squared{};
     const auto count = tree.knnSearch(query, asked, found.data(), squared.data());
     double least = infinite;
-    for (std::size_t k = 0; k < count; ++k) least = std::min(least, squared[k] + strip.lack[found[k]]);
+    for (std::size_t k = 0; k < count; ++k) least = std::min(least, squared[k] + strip.deficit[found[k]]);
     return std::sqrt(least);
   };
   std::vector<double> most((samples + band_grain - 1) / band_grain);
@@ -114,7 +115,7 @@ void findHeavy(const PeriodicSites& placed, Band& band) {
   const auto& weight = placed.sites.weight;
   if (weight.empty()) return;
   std::vector<std::uint32_t> order(weight.size());
-  for (std::uint32_t i = 0; i < order.size(); ++i) order[i] = i;
+  std::iota(order.begin(), order.end(), 0u);
   const auto heavier = [&](std::uint32_t a, std::uint32_t b) { return weight[a] > weight[b]; };
   const auto least = std::ranges::min(weight);
   const auto split = std::min(most_heavy, order.size() - 1);

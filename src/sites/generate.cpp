@@ -40,9 +40,7 @@ double uniform(Random& random) { return static_cast<double>(random() >> 11) * 0x
 /// Nearly normal, mean 0 and variance 1, within -6 and 6.
 double normal(Random& random) {
   double sum = -6;
-  for (int i = 0; i < 12; ++i) {
-    sum += uniform(random);
-  }
+  for (int i = 0; i < 12; ++i) sum += uniform(random);
   return sum;
 }
 
@@ -52,9 +50,7 @@ bool isInside(Point p) { return p.x > 0 && p.x < 1 && p.y > 0 && p.y < 1; }
 template <class Draw>
 Point drawInside(Draw draw) {
   Point p = draw();
-  while (!isInside(p)) {
-    p = draw();
-  }
+  while (!isInside(p)) p = draw();
   return p;
 }
 
@@ -74,19 +70,13 @@ void add(Sites& sites, Point p) {
 /// Largest integer whose square is at most n.
 std::uint64_t floorRoot(std::uint64_t n) {
   auto root = static_cast<std::uint64_t>(std::sqrt(static_cast<double>(n)));
-  while (root * root > n) {
-    --root;
-  }
-  while ((root + 1) * (root + 1) <= n) {
-    ++root;
-  }
+  while (root * root > n) --root;
+  while ((root + 1) * (root + 1) <= n) ++root;
   return root;
 }
 
 void generateRandom(Sites& sites, std::uint64_t n, Random& random) {
-  for (std::uint64_t i = 0; i < n; ++i) {
-    add(sites, uniformPoint(random));
-  }
+  for (std::uint64_t i = 0; i < n; ++i) add(sites, uniformPoint(random));
 }
 
 /// The number of columns for n sites: `root` in a square, else about sqrt(n * aspect), 1 to n.
@@ -119,9 +109,7 @@ void generateHex(Sites& sites, std::uint64_t n, const Shape& shape) {
   for (double row = 0; row < rows; ++row) {
     const double shift = std::fmod(row, 2.0) == 0 ? 0.25 : 0.75;
     const double y = 0.5 + (2 * row - (rows - 1)) / half_rows_per_unit;
-    for (double column = 0; column < columns; ++column) {
-      add(sites, {(column + shift) / columns, y});
-    }
+    for (double column = 0; column < columns; ++column) add(sites, {(column + shift) / columns, y});
   }
 }
 
@@ -202,31 +190,29 @@ void generateCircle(Sites& sites, std::uint64_t n, const Shape& shape) {
   }
 }
 
+void fill(Pattern pattern, std::uint64_t n, Random& random, const Shape& shape, Sites& sites) {
+  switch (pattern) {
+    case Pattern::random:
+      return generateRandom(sites, n, random);
+    case Pattern::square:
+      return generateSquare(sites, n, shape);
+    case Pattern::hex:
+      return generateHex(sites, n, shape);
+    case Pattern::jitter:
+      return generateJitter(sites, n, random, shape);
+    case Pattern::clusters:
+      return generateClusters(sites, n, random, shape);
+    case Pattern::circle:
+      return generateCircle(sites, n, shape);
+  }
+}
+
 Sites generateShaped(Pattern pattern, std::uint64_t n, std::uint64_t seed, const Shape& shape) {
   Random random(seed);
   Sites sites;
   sites.x.reserve(n);
   sites.y.reserve(n);
-  switch (pattern) {
-    case Pattern::random:
-      generateRandom(sites, n, random);
-      break;
-    case Pattern::square:
-      generateSquare(sites, n, shape);
-      break;
-    case Pattern::hex:
-      generateHex(sites, n, shape);
-      break;
-    case Pattern::jitter:
-      generateJitter(sites, n, random, shape);
-      break;
-    case Pattern::clusters:
-      generateClusters(sites, n, random, shape);
-      break;
-    case Pattern::circle:
-      generateCircle(sites, n, shape);
-      break;
-  }
+  fill(pattern, n, random, shape, sites);
   return sites;
 }
 

@@ -1,6 +1,11 @@
 #include "sites/grid.h"
 
+#include <fmt/core.h>
+
 #include <cmath>
+
+#include "base/refusal.h"
+#include "sites/bin_sort.h"
 
 namespace vorpipe::core {
 namespace {
@@ -9,6 +14,14 @@ namespace {
 constexpr double most_grid_bins = 1 << 28;
 /// Keeps what a device computes from the size far from underflow.
 constexpr double least_size = 0x1p-100;
+
+/// The area that the grid covers: the box of the sites, as far as it lies in `near`. If sites lie beyond, the
+/// grid ends outside the domain, so the bins at its border may hold them: seen from inside the domain, such a
+/// site is farther away than its bin.
+Box gridBox(const Box& sites, const Box& near) {
+  return {std::clamp(sites.xmin, near.xmin, near.xmax), std::clamp(sites.ymin, near.ymin, near.ymax),
+          std::clamp(sites.xmax, near.xmin, near.xmax), std::clamp(sites.ymax, near.ymin, near.ymax)};
+}
 
 }  // namespace
 
@@ -37,6 +50,46 @@ std::uint64_t sitesIn(const Grid& grid, const BinBlock& block) {
     count += first[block.east + 1] - first[block.west];
   }
   return count;
+}
+
+int scaleExponent(const Box& domain) {
+  int exponent = 0;
+  std::frexp(std::max(domain.xmax - domain.xmin, domain.ymax - domain.ymin), &exponent);
+  return 1 - exponent;
+}
+
+Box scaledDomain(const Box& domain, int exponent) {
+  const PowerOfTwo scale(exponent);
+  const auto wall = [&](double at) { return usableCoordinate(scale(at)); };
+  return {wall(domain.xmin), wall(domain.ymin), wall(domain.xmax), wall(domain.ymax)};
+}
+
+Result<void> checkDomain(const Box& domain) {
+  const bool finite = std::isfinite(domain.xmin) && std::isfinite(domain.ymin) &&
+                      std::isfinite(domain.xmax) && std::isfinite(domain.ymax) &&
+                      std::isfinite(domain.xmax - domain.xmin) && std::isfinite(domain.ymax - domain.ymin);
+  if (!finite || !(domain.xmin < domain.xmax) || !(domain.ymin < domain.ymax)) {
+    return tl::unexpected(
+        refusal(Subject::domain,
+                fmt::format("the domain {},{},{},{} is not a rectangle with xmin < xmax and ymin < ymax",
+                            domain.xmin, domain.ymin, domain.xmax, domain.ymax)));
+  }
+  return {};
+}
+
+Box surroundings(const Box& domain) {
+  const double margin = std::max(domain.xmax - domain.xmin, domain.ymax - domain.ymin);
+  return {domain.xmin - margin, domain.ymin - margin, domain.xmax + margin, domain.ymax + margin};
+}
+
+Grid gridOver(const Extent& extent, const Box& near) {
+  return layGrid(gridBox(extent.box, near), extent.inside);
+}
+
+Error unusableSite(std::size_t i, double x, double y) {
+  const bool finite = std::isfinite(x) && std::isfinite(y);
+  return refusal(Subject::sites, fmt::format("site {} {}: {}, {}", i,
+                                             finite ? "is too far from the domain" : "is not finite", x, y));
 }
 
 }  // namespace vorpipe::core

@@ -1,9 +1,11 @@
-/// A periodic domain, along one axis or both: the positions of its sites, and their images.
+/// A periodic domain, along one axis or both: the positions of its sites, their images, and how far beyond
+/// the domain these are needed.
 #pragma once
 
 #include <array>
 #include <cstdint>
 #include <functional>
+#include <span>
 #include <vector>
 
 #include "vorpipe.h"
@@ -90,5 +92,42 @@ void eachImage(const PeriodicSites& placed, const Band& band,
                const std::function<void(const SiteImage&)>& take);
 
 ImagedSites withImages(const PeriodicSites& placed, const Band& band);
+
+/// Returns a band wide enough for a picture of the domain: for every point of the domain, no image beyond the
+/// band is nearer than the nearest site or image within.
+Band bandForPlaces(const PeriodicSites& placed, int threads);
+
+/// Returns a band likely to be wide enough for whole cells, which reach beyond the domain.
+Band likelyBandForCells(const PeriodicSites& placed, int threads);
+
+/// Returns `width`, or, if it is not much less than a whole period, that period, which is always enough.
+double cappedBand(const PeriodicAxis& axis, double width);
+
+/// Whether the band along an axis is a whole period, which is always enough.
+inline bool isWhole(const Band& band, const PeriodicSites& placed, std::size_t a) {
+  return !placed.axis[a].periodic || band.width[a] >= placed.axis[a].length;
+}
+
+/// The sites that a diagram or a picture of a domain is made from, whether it is periodic or not.
+struct Scene {
+  ImagedSites imaged;  ///< `sites` is empty if the domain is not periodic: the caller's sites are then used
+  Box clip{};          ///< what cells are clipped to
+  Box picture{};       ///< the domain, in the same units
+
+  [[nodiscard]] const Sites& sitesOr(const Sites& callers) const {
+    return imaged.sites.size() == 0 ? callers : imaged.sites;
+  }
+  /// The caller's site that entry i is, or is an image of.
+  [[nodiscard]] std::uint32_t siteOf(std::uint32_t i) const { return imaged.siteOf(i); }
+};
+
+/// The scene of a picture without cells. Errors: as placeSites'.
+Result<Scene> sceneOf(const Sites& sites, const RenderOptions& options, int threads);
+
+/// The scene of a domain that is not periodic.
+Scene plainScene(const Sites& sites, const Box& domain);
+
+/// Maps ids of images to their sites.
+void nameSites(const Scene& scene, std::span<std::uint32_t> ids);
 
 }  // namespace vorpipe::core

@@ -3,24 +3,74 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <limits>
 #include <utility>
+#include <vector>
 
 #include "backend/tie.h"
 #include "base/parallel.h"
 #include "base/refusal.h"
 #include "base/try.h"
 #include "sites/bin_sort.h"
-#include "sites/frame.h"
 #include "sites/grid.h"
-#include "sites/near_sites.h"
 #include "sites/weights.h"
 
 namespace vorpipe::core {
 namespace {
 
 constexpr std::size_t site_set_grain = 1 << 16;
+/// In scaled units. For sites farther apart, products of distances are in the range of double, and the
+/// judge's numbers have enough digits for the points where their bisectors meet.
+constexpr double least_distance = 0x1p-80;
+/// From this size on, two different doubles are farther apart than the least distance.
+constexpr double resolved = least_distance * 0x1p54;
+
+using Pair = std::pair<std::uint32_t, std::uint32_t>;
+
+bool isSmall(double value) { return std::abs(value) < resolved; }
+
+/// Whether any coordinate is small and not 0. Two sites near each other have such a coordinate.
+bool anySmall(const SiteSet& set, int threads) {
+  std::atomic<bool> any = false;
+  parallelFor(set.size(), site_set_grain, threads, [&](std::size_t begin, std::size_t end) {
+    bool here = false;
+    for (auto i = begin; i < end; ++i) {
+      here = here || (isSmall(set.x[i]) && set.x[i] != 0) || (isSmall(set.y[i]) && set.y[i] != 0);
+    }
+    if (here) any = true;
+  });
+  return any;
+}
+
+/// Searches `sites` in rows of the plane, which are as high as the least distance and shifted by a part of
+/// that.
+std::optional<Pair> nearInRows(const SiteSet& set, std::vector<std::uint32_t>& sites, double shift) {
+  const auto row = [&](std::uint32_t i) { return std::floor(set.y[i] / least_distance + shift); };
+  std::sort(sites.begin(), sites.end(), [&](std::uint32_t a, std::uint32_t b) {
+    return std::pair(row(a), set.x[a]) < std::pair(row(b), set.x[b]);
+  });
+  for (std::size_t k = 1; k < sites.size(); ++k) {
+    const auto a = sites[k - 1], b = sites[k];
+    if (row(a) == row(b) && set.x[b] - set.x[a] < least_distance) return Pair{std::min(a, b), std::max(a, b)};
+  }
+  return std::nullopt;
+}
+
+/// Returns two sites, as indices in the set, that differ by less than `least_distance` in x and in y. May
+/// miss such pairs, but none that differ by less than half of it in y.
+std::optional<Pair> tooNear(const SiteSet& set, int threads) {
+  if (!anySmall(set, threads)) return std::nullopt;
+  std::vector<std::uint32_t> sites;
+  for (std::uint32_t i = 0; i < set.size(); ++i) {
+    if (isSmall(set.x[i]) || isSmall(set.y[i])) sites.push_back(i);
+  }
+  // Sites on both sides of a border between rows share one of the shifted rows.
+  auto pair = nearInRows(set, sites, 0);
+  return pair ? pair : nearInRows(set, sites, 0.5);
+}
+
 /// A neighbor is a signed 32-bit index.
 constexpr std::size_t most_sites = std::numeric_limits<std::int32_t>::max();
 constexpr double infinite = std::numeric_limits<double>::infinity();
@@ -74,10 +124,20 @@ Result<void> checkNumber(const Sites& sites) {
 
 void dropTiny(std::vector<double>& coordinates, int threads) {
   parallelFor(coordinates.size(), site_set_grain, threads, [&](std::size_t begin, std::size_t end) {
-    for (auto i = begin; i < end; ++i) {
-      coordinates[i] = usableCoordinate(coordinates[i]);
-    }
+    for (auto i = begin; i < end; ++i) coordinates[i] = usableCoordinate(coordinates[i]);
   });
+}
+
+/// Refuses sites that are too near to each other; error(i, j) names those of input indices i and j. Then
+/// rounds tiny coordinates.
+template <class NearError>
+Result<void> separate(SiteSet& set, int threads, const NearError& error) {
+  if (const auto pair = tooNear(set, threads)) {
+    return tl::unexpected(error(set.id[pair->first], set.id[pair->second]));
+  }
+  dropTiny(set.x, threads);
+  dropTiny(set.y, threads);
+  return {};
 }
 
 }  // namespace
@@ -112,14 +172,10 @@ Result<Prepared> prepare(const Sites& sites, const Box& domain, int threads, con
   set.grid = gridOver(extent, near);
   orderByBins(sites, scale, threads, set, prepared.owner);
   giveWeights(*weights, threads, set);
-  if (const auto near_sites = tooNear(set, threads)) {
-    const auto a = set.id[near_sites->first], b = set.id[near_sites->second];
-    return tl::unexpected(callers == nullptr
-                              ? nearSites(sites, a, b)
-                              : nearSites(callers->sites, callers->siteOf(a), callers->siteOf(b)));
-  }
-  dropTiny(set.x, threads);
-  dropTiny(set.y, threads);
+  VORPIPE_TRY(separate(set, threads, [&](std::uint32_t i, std::uint32_t j) {
+    return callers == nullptr ? nearSites(sites, i, j)
+                              : nearSites(callers->sites, callers->siteOf(i), callers->siteOf(j));
+  }));
   return prepared;
 }
 
@@ -132,12 +188,8 @@ Result<Prepared> preparePart(const Sites& sites, const PartOfRun& part, int thre
   set.coverage = {-infinite, -infinite, infinite, infinite};
   set.grid = part.grid;
   orderByBins(sites, PowerOfTwo(part.exponent), threads, set, prepared.owner, part.block);
-  if (const auto near_sites = tooNear(set, threads)) {
-    const auto a = set.id[near_sites->first], b = set.id[near_sites->second];
-    return tl::unexpected(nearSites(sites, a, b, part.names));
-  }
-  dropTiny(set.x, threads);
-  dropTiny(set.y, threads);
+  VORPIPE_TRY(separate(set, threads,
+                       [&](std::uint32_t i, std::uint32_t j) { return nearSites(sites, i, j, part.names); }));
   return prepared;
 }
 

@@ -5,7 +5,7 @@
 #include <span>
 
 #include "sites/bin_sort.h"
-#include "sites/frame.h"
+#include "sites/grid.h"
 
 namespace vorpipe::core {
 

@@ -35,4 +35,19 @@ Result<std::vector<std::uint32_t>> forTiles(const SiteSet& sites, const BackendI
                                             std::span<const std::uint32_t> which, int threads,
                                             const std::function<Result<void>(const Tile&)>& work);
 
+struct Crowds {
+  std::vector<std::uint32_t> even;     ///< sites whose cells a walk over the grid finds fast, ascending
+  std::vector<std::uint32_t> crowded;  ///< the others, ascending
+};
+
+/// Sorts the sites `which` (ascending) by how many stand in the 3 x 3 bins around them. If many of them are
+/// crowded, counts all as crowded: their triangulation is then made anyway, and including the rest costs
+/// little.
+Crowds sortByCrowds(const Grid& grid, std::span<const std::uint32_t> which, int threads);
+
+/// Returns the sites of a block of bins as a separate set. Its `coverage` is the block, except where the
+/// block ends with the grid: there it is that of `sites`. whole[i] is the index in `sites` of site i. Heavy
+/// sites from elsewhere are in the set, but in none of its bins.
+SiteSet cutOut(const SiteSet& sites, const BinBlock& block, std::vector<std::uint32_t>& whole);
+
 }  // namespace vorpipe::core

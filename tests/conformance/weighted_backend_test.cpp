@@ -11,7 +11,7 @@
 
 #include "backend/registry/registry.h"
 #include "conformance/backend_scene.h"
-#include "sites/weight_pyramid.h"
+#include "sites/weights.h"
 #include "support/devices/backends.h"
 #include "support/shared.h"
 #include "support/sites/random_sites.h"

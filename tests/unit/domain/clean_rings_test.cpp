@@ -3,7 +3,6 @@
 
 #include <gtest/gtest.h>
 
-#include "domain/ring_faults.h"
 #include "unit/fixtures/outlines.h"
 
 /// Names of its own, since sources are compiled together.

@@ -7,7 +7,7 @@
 #include <random>
 #include <set>
 
-#include "unit/domain/degree.h"
+#include "domain/degrees.h"
 #include "unit/fixtures/checked_runs.h"
 #include "unit/fixtures/outlines.h"
 #include "vorpipe.h"

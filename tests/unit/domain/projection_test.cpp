@@ -9,7 +9,7 @@
 #include <random>
 #include <vector>
 
-#include "unit/domain/degree.h"
+#include "domain/degrees.h"
 #include "unit/fixtures/temporary_directory.h"
 #include "vorpipe.h"
 

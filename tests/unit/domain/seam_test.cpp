@@ -2,10 +2,8 @@
 
 #include <cmath>
 
-#include "domain/band_proof.h"
-#include "domain/seam.h"
-#include "domain/unwrap.h"
-#include "sites/band.h"
+#include "domain/periodic_records.h"
+#include "sites/images.h"
 #include "unit/fixtures/periodic_runs.h"
 
 namespace vorpipe::test {

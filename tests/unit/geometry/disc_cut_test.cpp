@@ -7,7 +7,6 @@
 #include <numbers>
 #include <random>
 
-#include "geometry/segment.h"
 #include "vorpipe.h"
 
 namespace vorpipe::test {

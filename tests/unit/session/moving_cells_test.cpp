@@ -9,7 +9,7 @@
 #include <tuple>
 #include <utility>
 
-#include "domain/segment_density.h"
+#include "domain/density_pixels.h"
 #include "unit/fixtures/checked_runs.h"
 #include "unit/fixtures/cpu_session.h"
 #include "unit/fixtures/long_cells.h"

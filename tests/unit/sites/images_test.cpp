@@ -6,7 +6,7 @@
 #include <set>
 #include <tuple>
 
-#include "sites/band.h"
+#include "sites/images.h"
 #include "unit/fixtures/periodic_runs.h"
 
 namespace vorpipe::test {

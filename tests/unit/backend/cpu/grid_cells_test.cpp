@@ -11,7 +11,7 @@
 #include "backend/cpu/grid_cells.h"
 #include "backend/cpu/grid_lanes.h"
 #include "sites/site_set.h"
-#include "sites/weight_pyramid.h"
+#include "sites/weights.h"
 
 namespace vorpipe::cpu {
 

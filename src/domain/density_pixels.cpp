@@ -1,4 +1,4 @@
-#include "domain/segment_density.h"
+#include "domain/density_pixels.h"
 
 #include <limits>
 #include <utility>

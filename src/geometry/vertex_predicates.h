@@ -1,8 +1,9 @@
-/// On which side of a wall a vertex of the diagram lies: exact signs, in the range of predicates.h, with a
-/// filter in double. wall_predicates.cpp derives the bounds.
+/// On which side of a wall, or of a line through two given points, a vertex of the diagram lies: exact signs,
+/// in the range of predicates.h, with a filter in double. vertex_predicates.cpp derives the bounds.
 #pragma once
 
 #include <cstdint>
+#include <optional>
 
 #include "geometry/predicates.h"
 
@@ -23,5 +24,14 @@ int nearerOf(const WeightedPoint& a, const WeightedPoint& b, Point p);
 
 /// For a and b of equal y, whose bisector is vertical. 1: it lies at a larger x; -1: at a smaller; 0: at x.
 int middleSide(const WeightedPoint& a, const WeightedPoint& b, double x);
+
+/// Returns the side of the line from p to q on which the power center of a, b and c (without weights, their
+/// circumcenter) lies. 1: left; -1: right; 0: on it. Nothing if a, b and c lie on a line.
+std::optional<int> centerSide(Point p, Point q, const WeightedPoint& a, const WeightedPoint& b,
+                              const WeightedPoint& c);
+
+/// The same for the point of the wall x = `wall` where the powers to a and b are equal. Nothing if their
+/// bisector is parallel to the wall.
+std::optional<int> sideAtWall(Point p, Point q, const WeightedPoint& a, const WeightedPoint& b, double wall);
 
 }  // namespace vorpipe::core
