@@ -54,7 +54,6 @@ set(vorpipe_alone
     cpu/nearest_site.cpp
     cells/site_mesh.cpp
     geometry/triangulation.cpp
-    fish.cpp
     legend.cpp
     session/locator.cpp
     bench/plot.cpp
@@ -77,5 +76,4 @@ set(vorpipe_alone
     vulkan/draw.cpp
     vulkan/geometry.cpp
     vulkan/sorted_sites.cpp
-    vulkan/triangle_list.cpp
-    zsh.cpp)
+    vulkan/triangle_list.cpp)

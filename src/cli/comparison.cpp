@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
-#include "cli/difference_text.h"
 #include "cli/stats.h"
 #include "io/base/field_text.h"
 
@@ -25,13 +24,6 @@ std::uint64_t differentStatuses(const Rendering& a, const Rendering& b) {
 
 std::string pairName(const Comparison& comparison, const PairDiff& pair) {
   return fmt::format("{} / {}", comparison.runs[pair.a].name, comparison.runs[pair.b].name);
-}
-
-Json resolvedJson(const Report& report) {
-  return {{"retried", report.retried},
-          {"double", report.in_double},
-          {"exact", report.exact},
-          {"pixels", report.pixels}};
 }
 
 Json runJson(const BackendRun& run, bool times) {

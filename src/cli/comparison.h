@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "cli/difference_picture.h"
+#include "cli/difference.h"
 #include "cli/input.h"
 #include "vorpipe.h"
 

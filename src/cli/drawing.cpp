@@ -1,34 +1,145 @@
 #include "cli/drawing.h"
 
+#include <fmt/format.h>
+
+#include <algorithm>
 #include <utility>
 
 #include "base/try.h"
+#include "io/base/error.h"
 #include "io/cells/forecast_files.h"
+#include "vorpipe/free_surface.h"
 #include "vorpipe/shapes.h"
 
 namespace vorpipe::cli {
+namespace {
 
+/// Returns the first given option that maps values to colors.
+std::string_view scaleOption(const RenderOptions& picture) {
+  if (picture.color_scale != ColorScale::automatic) return "--color-scale";
+  if (picture.color_range) return "--color-range";
+  return picture.legend ? "--legend" : "";
+}
+
+/// Checks what can be wrong with a picture before its cells are known.
+Result<void> checkPicture(const RenderOptions& picture, const InputOptions& sites, const Input& input) {
+  if (picture.color == ColorBy::weight && input.sites.weight.empty()) {
+    return inputError(
+        fmt::format("--color: weight needs weights; {} has none, and there is no --weights", sites.sites));
+  }
+  const std::string_view scaled = scaleOption(picture);
+  if (picture.legend && !picture.fill) {
+    return inputError("--legend: cells have no colors with --no-fill");
+  }
+  if (picture.color == ColorBy::site && !scaled.empty()) {
+    return inputError(fmt::format(
+        "{}: colors by site stand for no values; name --color area, neighbors or weight", scaled));
+  }
+  if (picture.color_scale == ColorScale::log && picture.color_range && picture.color_range->low <= 0) {
+    return inputError(fmt::format("--color-range: LO {} is not above 0, as --color-scale log needs it",
+                                  picture.color_range->low));
+  }
+  const auto [width, height] = least_with_legend;
+  if (picture.legend && (picture.width < width || picture.height < height)) {
+    return inputError(fmt::format("--legend: has no room in {}x{} pixels, it takes {}x{}", picture.width,
+                                  picture.height, width, height));
+  }
+  return {};
+}
+
+/// Returns the size of a picture; while the domain is unknown, a lower bound.
+PictureSize sizeOf(const PictureOptions& picture, const std::optional<Box>& domain) {
+  if (!domain) return sizeBefore(picture.size);
+  RenderOptions options = picture.render;
+  options.domain = *domain;
+  const int longer_side = picture.size.longer_side;
+  const Box& shown = shownBox(options);
+  return picture.size.sides.value_or(longer_side > 0 ? sizeFor(shown, longer_side) : defaultSize(shown));
+}
+
+/// Returns the options of the cells for a picture's shapes.
 CellsOptions shapesOptions(const RenderOptions& picture) {
   CellsOptions cells = cellsOptions(picture);
   cells.detail = Detail::polygons;
   return cells;
 }
 
-Result<Drawing> draw(Session& session, const Sites& sites, const RenderOptions& options,
+}  // namespace
+
+Result<RenderOptions> pictureOf(const PictureOptions& picture, const InputOptions& sites,
+                                const Input& input) {
+  RenderOptions options = picture.render;
+  options.domain = input.domain;
+  options.outline = input.outline;
+  options.periodic = input.periodic;
+  const PictureSize size = sizeOf(picture, input.domain);
+  options.width = size.width;
+  options.height = size.height;
+  options.fit = picture.fit.value_or(usualFit(input));
+  options.fill = !picture.no_fill;
+  if (picture.edge_width) {
+    if (!options.edges && !options.dual) return inputError("--edge-width: needs --edges or --dual");
+    options.edge_width = *picture.edge_width;
+  }
+  if (auto checked = checkView(options); !checked) return inputError("--view: " + checked.error().message);
+  VORPIPE_TRY(checkPicture(options, sites, input));
+  return options;
+}
+
+std::string stretchNote(const PictureOptions& picture, const RenderOptions& options) {
+  if (picture.fit || options.fit != Fit::stretch || !picture.size.sides) return {};
+  const auto [width, height] = *picture.size.sides;
+  const Box& shown = shownBox(options);
+  const PictureFrame kept = frameOf(shown, width, height, Fit::letterbox);
+  if (kept.width == width && kept.height == height) return {};
+  return fmt::format("--size {}x{} stretches the {} of {:.6g} x {:.6g}; --size {} keeps its aspect", width,
+                     height, options.view ? "view" : "domain", shown.xmax - shown.xmin,
+                     shown.ymax - shown.ymin, std::max(width, height));
+}
+
+Result<void> checkDiscs(const Sites& sites) {
+  if (!sites.weight.empty()) return {};
+  return inputError("--surface: the sites have no weights, which are the squared radii of their discs");
+}
+
+Result<void> checkFreePicture(std::string_view option, const RenderOptions& options,
+                              const DrawingNeeds& needs) {
+  if (!needs.pixels) return {};
+  const bool over_air = options.legend || options.labels || options.dual || options.show_sites;
+  // Pixels get the colors of cells that fill the domain.
+  const bool of_cells = options.color == ColorBy::area || options.color == ColorBy::neighbors;
+  if (!over_air && !of_cells) return {};
+  return inputError(
+      fmt::format("{}: with a free surface, pictures of pixels have no legend, labels, dual, sites or colors "
+                  "by area and neighbors; .svg and .pdf have them",
+                  option));
+}
+
+Result<Diagram> cellsWith(Surface surface, Session& session, const Sites& sites,
+                          const CellsOptions& options) {
+  return surface == Surface::free ? freeCells(session, sites, options) : session.cells(sites, options);
+}
+
+Result<Drawing> draw(Surface surface, Session& session, const Sites& sites, const RenderOptions& options,
                      const DrawingNeeds& needs) {
+  const bool is_free = surface == Surface::free;
   Drawing drawing;
   if (needs.pixels) {
     auto pixels = session.render(sites, options);
     if (!pixels) return tl::unexpected(std::move(pixels.error()));
+    if (is_free) {
+      VORPIPE_TRY(takeOutAir(sites, options, pixels->image, session.threads()));
+    } else {
+      drawing.key = pixels->key;
+    }
     drawing.pixels = std::move(*pixels);
-    drawing.key = drawing.pixels->key;
   }
   if (needs.cells) {
-    auto cells = session.cells(sites, shapesOptions(options));
+    auto cells = cellsWith(surface, session, sites, shapesOptions(options));
     if (!cells) return tl::unexpected(std::move(cells.error()));
     drawing.cells = std::move(*cells);
   }
-  if (!needs.pixels) {
+  if (!needs.pixels && !is_free) {
     auto colors = siteColors(sites, *drawing.cells, options);
     if (!colors) return tl::unexpected(std::move(colors.error()));
     drawing.key = std::move(colors->key);
@@ -62,9 +173,13 @@ void planDrawing(MemoryPlan& plan, const Workload& work, const RenderOptions& op
   if (needs.cells) planShapes(plan, work, options);
 }
 
-void planDrawingAfterSteps(MemoryPlan& plan, const Workload& work, const RenderOptions& options,
-                           const DrawingNeeds& needs) {
+void planDrawingAfterSteps(MemoryPlan& plan, const Workload& work, const PictureOptions& picture,
+                           const std::optional<Box>& domain, const DrawingNeeds& needs) {
   constexpr std::uint64_t gaps = 8'000'000;
+  const PictureSize size = sizeOf(picture, domain);
+  RenderOptions options = picture.render;
+  options.width = size.width;
+  options.height = size.height;
   plan.take("gaps that steps left", gaps);
   planDrawing(plan, work, options, needs, /*checks=*/false);
 }

@@ -1,18 +1,29 @@
-/// The result of render: a picture in pixels, the cells for shapes, or both.
+/// Pictures of an input: what to draw, and the result in pixels, as cells for shapes, or both.
 #pragma once
 
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
+#include "cli/input.h"
+#include "cli/options/picture_options.h"
 #include "vorpipe.h"
 
 namespace vorpipe::cli {
 
+/// Returns what to draw of an input. Errors (input), which name the option: options contradict each other or
+/// the input.
+Result<RenderOptions> pictureOf(const PictureOptions& picture, const InputOptions& sites, const Input& input);
+
+/// Returns a note that a picture stretches its domain, and how to avoid that. Empty if it does not, or if
+/// --fit requested it.
+std::string stretchNote(const PictureOptions& picture, const RenderOptions& options);
+
 struct Drawing {
   std::optional<Rendering> pixels;
   std::optional<Diagram> cells;   ///< with Detail::polygons
-  std::optional<ColorKey> key{};  ///< what the colors mean; none if by site
+  std::optional<ColorKey> key{};  ///< what the colors mean; none if by site, or with a free surface
 
   /// The report of the pixel picture if there is one, else of the cells.
   [[nodiscard]] const Report& report() const { return pixels ? pixels->report : cells->report; }
@@ -25,11 +36,21 @@ struct DrawingNeeds {
   bool pixels = true, cells = false;
 };
 
-/// Returns the options of the cells for a picture's shapes.
-CellsOptions shapesOptions(const RenderOptions& picture);
+/// Error (input): the sites have no weights, so their discs have no radii.
+Result<void> checkDiscs(const Sites& sites);
 
-/// Makes the needed parts. Errors: those of Session::render, Session::cells and siteColors.
-Result<Drawing> draw(Session& session, const Sites& sites, const RenderOptions& options,
+/// Error (input), in words that begin with the option: a picture has marks or colors that pictures with a
+/// free surface cannot have in pixels.
+Result<void> checkFreePicture(std::string_view option, const RenderOptions& options,
+                              const DrawingNeeds& needs);
+
+/// Computes cells; with a free surface, their parts inside the discs around the sites. Errors: those of
+/// Session::cells and freeCells.
+Result<Diagram> cellsWith(Surface surface, Session& session, const Sites& sites, const CellsOptions& options);
+
+/// Makes the needed parts of such cells. Errors: those of cellsWith, Session::render, siteColors and
+/// takeOutAir.
+Result<Drawing> draw(Surface surface, Session& session, const Sites& sites, const RenderOptions& options,
                      const DrawingNeeds& needs);
 
 /// Returns the broken promises of a drawing. Error: check()'s.
@@ -40,8 +61,8 @@ Result<std::vector<std::string>> checkDrawing(const Sites& sites, const RenderOp
 void planDrawing(MemoryPlan& plan, const Workload& work, const RenderOptions& options,
                  const DrawingNeeds& needs, bool checks);
 
-/// The same after a run of steps, without checks.
-void planDrawingAfterSteps(MemoryPlan& plan, const Workload& work, const RenderOptions& options,
-                           const DrawingNeeds& needs);
+/// The same after a run of steps, without checks; `domain` if known.
+void planDrawingAfterSteps(MemoryPlan& plan, const Workload& work, const PictureOptions& picture,
+                           const std::optional<Box>& domain, const DrawingNeeds& needs);
 
 }  // namespace vorpipe::cli

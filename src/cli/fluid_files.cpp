@@ -3,18 +3,18 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <charconv>
 #include <filesystem>
+#include <optional>
 #include <system_error>
 #include <utility>
 
-#include "base/parallel.h"
 #include "base/try.h"
-#include "cli/fluid_folders.h"
-#include "cli/input.h"
-#include "cli/picture.h"
+#include "cli/drawing.h"
 #include "io/base/error.h"
 #include "io/base/extension.h"
 #include "io/base/output_file.h"
+#include "io/base/quoted.h"
 #include "io/cells/fluid_state.h"
 #include "view/flowing.h"
 #include "vorpipe/free_surface.h"
@@ -24,15 +24,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-CellsOptions cellsOptions(const FluidOptions& options) {
-  CellsOptions cells{};
-  cells.domain = options.domain;
-  cells.periodic = options.periodic;
-  cells.search = options.search;
-  cells.detail = Detail::polygons;
-  return cells;
-}
-
 /// Returns the canonical path of a folder, even if it does not exist.
 fs::path placeOf(const std::string& folder) {
   std::error_code none;
@@ -40,14 +31,109 @@ fs::path placeOf(const std::string& folder) {
   return fs::weakly_canonical(fs::path(folder) / "file", none).parent_path();
 }
 
-}  // namespace
+constexpr std::string_view list_of_series = "series.pvd";
 
-view::FlowColor flowColorOf(const FluidState& state, const PictureOptions& picture,
-                            std::optional<view::FlowColor> color) {
-  if (picture.no_fill) return view::FlowColor::none;
-  return color.value_or(view::usualFlowColor(state, picture.render.color));
+/// Returns the names in a folder, except leftovers of killed runs; none if there is no folder.
+Result<std::vector<std::string>> namesIn(const std::string& folder) {
+  std::vector<std::string> names;
+  std::error_code code;
+  if (!fs::exists(folder, code)) return names;
+  for (fs::directory_iterator entry(folder, code), end; !code && entry != end; entry.increment(code)) {
+    std::string name = entry->path().filename().string();
+    if (!isLeftOver(name)) names.push_back(std::move(name));
+  }
+  if (code) return inputError(fmt::format("{}: {}", folder, code.message()));
+  std::ranges::sort(names);
+  return names;
 }
 
+/// Returns the number between `begin` and `end` in a name, if it has at least `digits` digits.
+std::optional<std::uint64_t> numberIn(std::string_view name, std::string_view begin, std::string_view end,
+                                      std::size_t digits) {
+  if (!name.starts_with(begin) || !name.ends_with(end)) return std::nullopt;
+  if (name.size() < begin.size() + digits + end.size()) return std::nullopt;
+  std::uint64_t number = 0;
+  const char* const last = name.data() + name.size() - end.size();
+  const auto [stop, error] = std::from_chars(name.data() + begin.size(), last, number);
+  return error == std::errc() && stop == last ? std::optional(number) : std::nullopt;
+}
+
+std::optional<std::uint64_t> stepIn(std::string_view name) { return numberIn(name, "step-", ".vtp", 6); }
+
+tl::unexpected<Error> strange(const std::string& folder, const std::string& name, std::string_view what) {
+  return inputError(fmt::format("{}: holds {}, which is none of {}", folder, vorpipe::inQuotes(name), what));
+}
+
+/// Returns a name such as "step-000010.vtp".
+std::string seriesFileOf(std::uint64_t step) { return fmt::format("step-{:06}.vtp", step); }
+
+/// Opens the folder of a new series, creating it if needed. Errors (input): it cannot be made, or is not
+/// empty.
+Result<void> createSeries(const std::string& folder) {
+  std::error_code code;
+  fs::create_directories(folder, code);
+  if (code) return inputError(fmt::format("{}: {}", folder, code.message()));
+  const auto names = namesIn(folder);
+  if (!names) return tl::unexpected(names.error());
+  if (names->empty()) return {};
+  return inputError(folder + ": the folder holds something; a series wants an empty one");
+}
+
+/// Returns the steps of a series up to the checkpoint's step; none if the folder is empty. Files of later
+/// steps were written after the checkpoint, and will be overwritten. Errors (input): the folder holds
+/// something else, or a series without this step.
+Result<std::vector<SeriesStep>> continueSeries(const std::string& folder, const FluidState& from) {
+  const auto names = namesIn(folder);
+  if (!names) return tl::unexpected(names.error());
+  if (names->empty()) return createSeries(folder).map([] { return std::vector<SeriesStep>(); });
+  for (const std::string& name : *names) {
+    if (name != list_of_series && !stepIn(name)) return strange(folder, name, "a series");
+  }
+  auto steps = readSeries((fs::path(folder) / list_of_series).string());
+  if (!steps) return steps;
+  std::erase_if(*steps, [&](const SeriesStep& step) { return stepIn(step.file).value_or(0) > from.step; });
+  const bool has_step = !steps->empty() && stepIn(steps->back().file) == from.step;
+  if (has_step && steps->back().time == from.time) return steps;
+  return inputError(
+      fmt::format("{}: its series has no step {} at time {}, which the checkpoint is of; name another folder",
+                  folder, from.step, from.time));
+}
+
+/// The number of the next picture in a run that resumes from a checkpoint. Picture 1 is that of step 0.
+struct NextFrame {
+  std::uint64_t number = 1;
+  bool is_there = false;  ///< whether the picture of the checkpoint itself exists, just before the next
+};
+
+/// Examines the folder of pictures of every `every` steps, which may be empty. Errors (input): it holds
+/// something else, or not exactly the pictures up to this step.
+Result<NextFrame> continueFrames(const std::string& folder, std::uint64_t step, std::uint64_t every) {
+  const auto names = namesIn(folder);
+  if (!names) return tl::unexpected(names.error());
+  const std::uint64_t own = 1 + step / every;
+  if (names->empty()) return NextFrame{own, false};
+  std::uint64_t last = 0;
+  for (const std::string& name : *names) {
+    const auto number = numberIn(name, "frame-", ".png", 5);
+    if (!number) return strange(folder, name, "numbered pictures");
+    last = std::max(last, *number);
+  }
+  // The next picture may be of a step without a checkpoint: a run ended there, or before the checkpoint.
+  if (last == own || last == own + 1) return NextFrame{own + 1, true};
+  return inputError(fmt::format(
+      "{}: its last picture is {}, where a run with --every {} has {} up to step {}; name another folder",
+      folder, last, every, own, step));
+}
+
+/// Writes a checkpoint, whole or not at all.
+Result<void> saveCheckpoint(const std::string& path, const FluidState& state, const FluidOptions& options) {
+  auto file = OutputFile::create(path);
+  if (!file) return tl::unexpected(std::move(file.error()));
+  VORPIPE_TRY(writeFluid(*file, state, options));
+  return file->commit();
+}
+
+/// Draws the cells; with a free surface, the air is white.
 Result<Image> drawFluid(Session& session, const FluidState& state, const FluidOptions& options,
                         const PictureOptions& picture, std::optional<view::FlowColor> color) {
   const view::FlowColor by = flowColorOf(state, picture, color);
@@ -55,10 +141,7 @@ Result<Image> drawFluid(Session& session, const FluidState& state, const FluidOp
   PictureOptions asked = picture;
   // Densities and speeds have scales and ranges like weights.
   if (by_flow) asked.render.color = ColorBy::weight;
-  Input input{};
-  input.sites = state.sites;
-  input.domain = options.domain;
-  input.periodic = options.periodic;
+  const Input input = inputOf(state, options);
   auto render = pictureOf(asked, {}, input);
   if (!render) return tl::unexpected(std::move(render.error()));
   render->search = options.search;
@@ -70,6 +153,30 @@ Result<Image> drawFluid(Session& session, const FluidState& state, const FluidOp
   }
   if (options.surface == Surface::free) whitenAir(state.sites, *render, drawn->image, session.threads());
   return std::move(drawn->image);
+}
+
+}  // namespace
+
+CellsOptions cellsOptionsOf(const FluidOptions& options) {
+  CellsOptions cells{};
+  cells.domain = options.domain;
+  cells.periodic = options.periodic;
+  cells.search = options.search;
+  return cells;
+}
+
+Input inputOf(const FluidState& state, const FluidOptions& options) {
+  Input input{};
+  input.sites = state.sites;
+  input.domain = options.domain;
+  input.periodic = options.periodic;
+  return input;
+}
+
+view::FlowColor flowColorOf(const FluidState& state, const PictureOptions& picture,
+                            std::optional<view::FlowColor> color) {
+  if (picture.no_fill) return view::FlowColor::none;
+  return color.value_or(view::usualFlowColor(state, picture.render.color));
 }
 
 Result<FluidRecord> FluidRecord::open(const FluidTargets& targets, const PictureOptions& picture,
@@ -85,10 +192,10 @@ Result<FluidRecord> FluidRecord::open(const FluidTargets& targets, const Picture
 Result<void> FluidRecord::openFrames(const FluidState* resumed) {
   const std::string& path = targets_->frames;
   if (path.empty()) return {};
-  const bool goes_on = resumed != nullptr && lowerExtension(path) != ".mp4";
-  const auto next = goes_on ? goOnWithFrames(path, resumed->step, targets_->every) : NextFrame{};
+  const bool is_continued = resumed != nullptr && lowerExtension(path) != ".mp4";
+  const auto next = is_continued ? continueFrames(path, resumed->step, targets_->every) : NextFrame{};
   if (!next) return tl::unexpected(next.error());
-  auto recorder = goes_on ? view::openFrames(path, next->number) : view::openRecorder(path);
+  auto recorder = is_continued ? view::openFrames(path, next->number) : view::openRecorder(path);
   if (!recorder) return tl::unexpected(std::move(recorder.error()));
   recorder_ = std::move(*recorder);
   first_is_drawn_ = next->is_there;
@@ -98,8 +205,8 @@ Result<void> FluidRecord::openFrames(const FluidState* resumed) {
 Result<void> FluidRecord::openSeries(const FluidState* resumed) {
   const std::string& path = targets_->series;
   if (path.empty()) return {};
-  if (resumed == nullptr) return cli::openSeries(path);
-  auto steps = goOnWithSeries(path, *resumed);
+  if (resumed == nullptr) return createSeries(path);
+  auto steps = continueSeries(path, *resumed);
   if (!steps) return tl::unexpected(std::move(steps.error()));
   series_ = std::move(*steps);
   return {};
@@ -120,7 +227,9 @@ Result<void> FluidRecord::add(Session& session, const FluidState& state, const F
 
 Result<void> FluidRecord::addToSeries(Session& session, const FluidState& state,
                                       const FluidOptions& options) {
-  const auto cells = session.cells(state.sites, cellsOptions(options));
+  CellsOptions polygons = cellsOptionsOf(options);
+  polygons.detail = Detail::polygons;
+  const auto cells = session.cells(state.sites, polygons);
   if (!cells) return tl::unexpected(cells.error());
   const std::string name = seriesFileOf(state.step);
   auto file = OutputFile::create((fs::path(targets_->series) / name).string());
@@ -177,13 +286,6 @@ Result<void> checkApart(const FluidTargets& targets, std::span<const OutputFile>
                     folder.option, within->filename().string()));
   }
   return {};
-}
-
-Result<void> saveCheckpoint(const std::string& path, const FluidState& state, const FluidOptions& options) {
-  auto file = OutputFile::create(path);
-  if (!file) return tl::unexpected(std::move(file.error()));
-  VORPIPE_TRY(writeFluid(*file, state, options));
-  return file->commit();
 }
 
 }  // namespace vorpipe::cli

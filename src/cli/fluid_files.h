@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "cli/fluid_trace.h"
+#include "cli/input.h"
 #include "cli/options/fluid_options.h"
 #include "cli/options/picture_options.h"
 #include "io/base/output_file.h"
@@ -21,15 +22,17 @@ namespace vorpipe::cli {
 view::FlowColor flowColorOf(const FluidState& state, const PictureOptions& picture,
                             std::optional<view::FlowColor> color);
 
-/// Draws the cells; with a free surface, the air is white.
-Result<Image> drawFluid(Session& session, const FluidState& state, const FluidOptions& options,
-                        const PictureOptions& picture, std::optional<view::FlowColor> color);
+/// Returns the options of the cells of a fluid.
+CellsOptions cellsOptionsOf(const FluidOptions& options);
+
+/// Returns the sites of a fluid in its domain.
+Input inputOf(const FluidState& state, const FluidOptions& options);
 
 /// The files that grow with each step.
 class FluidRecord {
  public:
   /// Opens films, folders and the trace; a run that continues from a checkpoint continues folders and trace.
-  /// Errors: those of openRecorder, openSeries, goOnWithFrames, goOnWithSeries and FluidTrace::open.
+  /// Errors: those of openRecorder, readSeries and FluidTrace::open; (input) a folder holds something else.
   static Result<FluidRecord> open(const FluidTargets& targets, const PictureOptions& picture,
                                   const FluidState* resumed);
 
@@ -59,8 +62,5 @@ class FluidRecord {
 /// rejects files in the folders of frames or series, which may hold nothing else. Errors (input) name the
 /// option.
 Result<void> checkApart(const FluidTargets& targets, std::span<const OutputFile> files);
-
-/// Writes a checkpoint, whole or not at all.
-Result<void> saveCheckpoint(const std::string& path, const FluidState& state, const FluidOptions& options);
 
 }  // namespace vorpipe::cli

@@ -32,7 +32,7 @@ std::string rowOf(const FluidStep& step, bool with_times) {
 }
 
 /// Returns the existing trace up to the step of a checkpoint.
-Result<std::string> keptOf(const std::string& path, const FluidState& from) {
+Result<std::string> textUntil(const std::string& path, const FluidState& from) {
   auto file = InputFile::open(path);
   if (!file) return tl::unexpected(std::move(file.error()));
   auto text = readText(*file);
@@ -63,16 +63,16 @@ Result<FluidTrace> FluidTrace::open(const std::string& path, const FluidState* r
   trace.text_ = trace.timeless_ = head;
   std::error_code none;
   if (path.empty() || resumed == nullptr || !fs::is_regular_file(path, none)) return trace;
-  auto kept = keptOf(path, *resumed);
-  if (!kept) return tl::unexpected(std::move(kept.error()));
-  trace.text_ = trace.timeless_ = std::move(*kept);
-  trace.goes_on_ = true;
+  auto text = textUntil(path, *resumed);
+  if (!text) return tl::unexpected(std::move(text.error()));
+  trace.text_ = trace.timeless_ = std::move(*text);
+  trace.is_continued_ = true;
   return trace;
 }
 
 FluidTrace::FluidTrace(FluidTrace&& other) noexcept
     : path_(std::move(other.path_)),
-      goes_on_(other.goes_on_),
+      is_continued_(other.is_continued_),
       text_(std::move(other.text_)),
       timeless_(std::move(other.timeless_)),
       direct_(std::move(other.direct_)),
@@ -112,7 +112,7 @@ Result<void> FluidTrace::append(const std::string& row) {
 Result<void> FluidTrace::add(const FluidStep& step) {
   if (path_.empty()) return {};
   const bool is_first = !direct_ && descriptor_ < 0;
-  if (is_first && goes_on_) return begin();
+  if (is_first && is_continued_) return begin();
   const std::string row = rowOf(step, true);
   timeless_ += rowOf(step, false);
   if (is_first) {
@@ -131,8 +131,7 @@ Result<void> FluidTrace::finish(RunLog& log) {
   }
   WrittenBefore file(path_);
   return log.noteOutput(file, [&](ByteSink& to) {
-    log.noteTimeless(timeless_);
-    return to.write(text_);
+    return log.writeTimed(to, [&](bool with_times) { return with_times ? text_ : timeless_; });
   });
 }
 

@@ -5,7 +5,7 @@
 #include <optional>
 #include <string>
 
-#include "cli/run_log.h"
+#include "cli/stats.h"
 #include "io/base/output_file.h"
 #include "vorpipe.h"
 #include "vorpipe/fluid.h"
@@ -36,7 +36,7 @@ class FluidTrace {
   Result<void> append(const std::string& row);
 
   std::string path_;
-  bool goes_on_ = false;
+  bool is_continued_ = false;
   std::string text_, timeless_;       ///< the whole text, and the same without clock times
   std::optional<OutputFile> direct_;  ///< for anything but a regular file
   int descriptor_ = -1;

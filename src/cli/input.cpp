@@ -137,6 +137,15 @@ Result<Input> inputAround(const InputOptions& options, Sites corners) {
   return input;
 }
 
+CellsOptions cellsOptionsOf(const Input& input, const SearchOptions& search) {
+  CellsOptions cells{};
+  cells.domain = input.domain;
+  cells.outline = input.outline;
+  cells.periodic = input.periodic;
+  cells.search = search;
+  return cells;
+}
+
 Result<DensityFile> densityOf(const DensityOptions& options) {
   if (options.empty()) return {};
   // A given box is in the unit of the domain, whatever files accompany the density.

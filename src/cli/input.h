@@ -28,6 +28,9 @@ Result<Input> loadInput(const InputOptions& options);
 /// The same for sites that stay in place: `corners`, sites with the same bounding box, represent them.
 Result<Input> inputAround(const InputOptions& options, Sites corners);
 
+/// Returns the options of the cells of an input.
+CellsOptions cellsOptionsOf(const Input& input, const SearchOptions& search = {});
+
 /// Reads --density, if given, at the place that --density-box names. Errors: those of readDensity.
 Result<DensityFile> densityOf(const DensityOptions& options);
 

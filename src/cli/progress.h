@@ -1,7 +1,9 @@
-/// Shows a run's progress, and stops it on signals.
+/// Shows a run's progress, and ends it early: on signals, or when it cannot continue. Then it prints one
+/// line, and leaves no unfinished file.
 #pragma once
 
 #include <chrono>
+#include <exception>
 #include <functional>
 #include <map>
 #include <string>
@@ -22,8 +24,7 @@ void endOnSignals();
 /// closed pipe, or beyond the limit of a file (ulimit -f), is now an error and does not end the program.
 void stopOnSignals();
 
-/// Call after stopOnSignals: a run that ends with a partial result gets the time to write it, until a second
-/// signal.
+/// A run that ends with a partial result gets the time to write it, until a second signal.
 void awaitResultOnSignals();
 
 /// Whether a signal has asked the run to end with its partial result. The next signal then counts as the
@@ -42,8 +43,24 @@ int signalExitCode();
 /// Returns ErrorCode::cancelled once a signal has asked to stop.
 Result<void> stopIfAsked();
 
-/// Whether there is a bar on standard error. Signal handlers may call this.
-bool isBarShown();
+/// Opens whichever of standard input, output and error is closed, so that no file of a run gets its
+/// descriptor. Output to it is then lost or an error, but never lands in a result file.
+void openStandardStreams();
+
+/// Prints an uncaught exception, in one line.
+void printUncaught(const std::exception& error);
+
+/// From now on, the program ends with this code on an exception that nothing can catch. Causes: a destructor
+/// of some libraries gets no memory, or a concurrent thread cannot start another.
+void endOnUncaught(int code);
+
+/// From now on, the program ends with this code if a mapped file is truncated while in use, or its disk
+/// fails.
+void endOnLostPages(int code);
+
+/// From now on, the program ends with this code if a window loses its X server. Xlib by itself would print
+/// its own message and exit with 1.
+void endOnLostDisplay(int code);
 
 /// A progress bar on standard error. A stage that is left and resumed continues where it was; within a stage
 /// the bar never moves back.

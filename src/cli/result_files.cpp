@@ -3,18 +3,50 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 #include <iterator>
+#include <nlohmann/json.hpp>
+#include <string_view>
 #include <utility>
 
 #include "base/try.h"
-#include "cli/free_drawing.h"
-#include "cli/picture.h"
+#include "cli/drawing.h"
+#include "cli/progress.h"
+#include "io/base/error.h"
 #include "io/cells/forecast_files.h"
-#include "vorpipe/free_surface.h"
+#include "io/sites/sites_file.h"
+#include "vorpipe/stipple.h"
 
 namespace vorpipe::cli {
 namespace {
+
+/// Returns the number of sites in `density:N`; none if --sites is something else. Error (input): N is no
+/// number of sites.
+Result<std::optional<std::uint64_t>> sampledCount(std::string_view sites) {
+  constexpr std::string_view prefix = "density:";
+  if (!sites.starts_with(prefix)) return std::nullopt;
+  const auto count = parseWhole(sites.substr(prefix.size()), 1, max_sites);
+  if (!count) return inputError(fmt::format("--sites: {}: {}", sites, count.error()));
+  return *count;
+}
+
+/// Replaces `density:N` by a generator of as many sites, and an unnamed domain by the box of the density's
+/// pixels.
+Result<void> makeGenerator(InputOptions& options, std::uint64_t count, const Density& density) {
+  if (density.values.empty()) {
+    return inputError(
+        fmt::format("--sites: {} draws sites from a density; name it by --density", options.sites));
+  }
+  if (options.domain.hull) {
+    return inputError(
+        fmt::format("--domain: {} draws sites in a domain, and so has no hull before it", options.sites));
+  }
+  options.sites = fmt::format("random:{}", count);
+  if (!options.domain.box && options.domain.file.empty()) {
+    options.domain.box = density.box.value_or(
+        Box{0, 0, static_cast<double>(density.width), static_cast<double>(density.height)});
+  }
+  return {};
+}
 
 /// Returns the sites in the input's coordinates: in degrees if it was projected.
 PlacedSites placedBack(const Input& input, const Sites& sites) {
@@ -30,107 +62,155 @@ PlacedSites placedBack(const Input& input, const Sites& sites) {
   return placed;
 }
 
-CellsOptions cellsOptions(const ResultJob& job) {
-  CellsOptions options{};
-  options.domain = job.input.domain;
-  options.outline = job.input.outline;
-  options.periodic = job.input.periodic;
-  options.density = job.density;
-  options.search = job.search;
-  options.detail = job.targets.detail();
+CellsOptions cellsOptions(const SitesRun& run) {
+  CellsOptions options = cellsOptionsOf(*run.input, run.options.search);
+  options.density = run.density.density;
+  options.detail = run.command.targets.detail();
   return options;
 }
 
-}  // namespace
-
-void planFiles(MemoryPlan& plan, const Workload& work, const ResultTargets& targets,
-               const PictureOptions& picture, const std::optional<Box>& domain) {
-  const PictureSize size = sizeOf(picture, domain);
-  RenderOptions render = picture.render;
-  render.width = size.width;
-  render.height = size.height;
-  if (!targets.pictures.empty()) planDrawingAfterSteps(plan, work, render, needsOf(targets.pictures));
-  if (!targets.cells.empty()) planCells(plan, work, targets.detail());
-  for (const CellsTarget& target : targets.cells) planCellsFile(plan, work, *target.format);
-}
-
-Result<void> checkBefore(const ResultJob& job) {
-  VORPIPE_TRY(checkInput(job.options, job.input, cellsOptions(job), job.threads));
-  if (job.targets.pictures.empty()) return {};
-  const auto render = pictureOf(job.picture, job.options, job.input);
-  if (!render) return tl::unexpected(render.error());
-  return job.surface == Surface::free ? checkFreePicture("--picture", *render, needsOf(job.targets.pictures))
-                                      : Result<void>();
-}
-
+/// Returns which kinds of pictures are needed.
 DrawingNeeds needsOf(const std::vector<PictureFile>& pictures) {
   const auto of_shapes = [](const PictureFile& file) { return file.format->of_shapes; };
   return {!std::ranges::all_of(pictures, of_shapes), std::ranges::any_of(pictures, of_shapes)};
 }
 
-Result<ResultParts> partsOf(Session& session, const ResultJob& job, const Sites& sites) {
-  const bool has_air = job.surface == Surface::free;
+/// Sites, with the parts that the files need.
+struct ResultParts {
+  Sites plane;                     ///< in the coordinates of the domain
+  PlacedSites placed{};            ///< in the coordinates of files: in degrees if the input was
+  std::optional<Diagram> cells{};  ///< likewise
+  std::optional<Drawing> drawing{};
+  RenderOptions render{};
+};
+
+/// Computes what the files need.
+Result<ResultParts> partsOf(SitesRun& run, const Sites& sites) {
+  const ResultTargets& targets = run.command.targets;
+  Session& session = *run.session;
   ResultParts parts{sites};
-  if (!job.targets.pictures.empty()) {
-    auto render = pictureOf(job.picture, job.options, job.input);
+  if (!targets.pictures.empty()) {
+    auto render = pictureOf(run.command.picture, run.source, *run.input);
     if (!render) return tl::unexpected(std::move(render.error()));
     parts.render = std::move(*render);
-    parts.render.search = job.search;
-    const auto needs = needsOf(job.targets.pictures);
-    auto drawing =
-        has_air ? drawFree(session, sites, parts.render, needs) : draw(session, sites, parts.render, needs);
+    parts.render.search = run.options.search;
+    auto drawing = draw(run.surface, session, sites, parts.render, needsOf(targets.pictures));
     if (!drawing) return tl::unexpected(std::move(drawing.error()));
     parts.drawing = std::move(*drawing);
   }
-  Diagram none;
-  if (!job.targets.cells.empty()) {
-    auto cells =
-        has_air ? freeCells(session, sites, cellsOptions(job)) : session.cells(sites, cellsOptions(job));
+  if (!targets.cells.empty()) {
+    auto cells = cellsWith(run.surface, session, sites, cellsOptions(run));
     if (!cells) return tl::unexpected(std::move(cells.error()));
     parts.cells = std::move(*cells);
   }
-  parts.placed = placedBack(job.input, sites);
-  backToDegrees(parts.placed, parts.cells ? *parts.cells : none, job.threads);
+  parts.placed = placedBack(*run.input, sites);
+  Diagram none;
+  backToDegrees(parts.placed, parts.cells ? *parts.cells : none, run.options.backend.threads);
   return parts;
 }
 
-std::vector<Writer> writersOf(const ResultJob& job, const ResultParts& parts) {
+/// Returns a writer for each file of ResultTargets::paths(); they refer to both arguments.
+std::vector<Writer> writersOf(const SitesRun& run, const ResultParts& parts) {
+  const ResultTargets& targets = run.command.targets;
+  const int threads = run.options.backend.threads;
+  const Sites& sites = parts.placed.sites;
+  const CoordinateSystem& system = parts.placed.system;
+  const std::vector<Attribute>& attributes = run.input->attributes;
   std::vector<Writer> writers;
-  for (const PointsTarget& target : job.targets.points) {
-    writers.emplace_back([&, format = target.format](ByteSink& to) {
-      return writePoints(to, {parts.placed.sites, job.input.attributes, parts.placed.system, job.threads},
-                         *format);
+  for (const PointsTarget& target : targets.points) {
+    writers.emplace_back([&, threads, format = target.format](ByteSink& to) {
+      return writePoints(to, {sites, attributes, system, threads}, *format);
     });
   }
-  for (const CellsTarget& target : job.targets.cells) {
-    writers.emplace_back([&, format = target.format](ByteSink& to) {
-      return writeCells(
-          to,
-          {parts.placed.sites, *parts.cells, job.input.attributes, parts.placed.system, false, job.threads},
-          *format);
+  for (const CellsTarget& target : targets.cells) {
+    writers.emplace_back([&, threads, format = target.format](ByteSink& to) {
+      return writeCells(to, {sites, *parts.cells, attributes, system, false, threads}, *format);
     });
   }
-  for (const PictureFile& file : job.targets.pictures) {
-    writers.emplace_back([&, format = file.format](ByteSink& to) {
+  for (const PictureFile& file : targets.pictures) {
+    writers.emplace_back([&, threads, format = file.format](ByteSink& to) {
       const Drawing& drawing = *parts.drawing;
       return format->write(to, {parts.plane, parts.render, drawing.pixels ? &drawing.pixels->image : nullptr,
-                                drawing.cells ? &*drawing.cells : nullptr, job.input.system, job.threads});
+                                drawing.cells ? &*drawing.cells : nullptr, run.input->system, threads});
     });
   }
   return writers;
 }
 
-std::string traceText(const std::vector<RelaxStep>& trace, bool with_times) {
-  std::string text = "diagram,energy,hexagonal,farthest,seconds,taken\n";
-  const auto to = std::back_inserter(text);
-  for (const RelaxStep& step : trace) {
-    fmt::format_to(to, "{},{},", step.diagram, step.energy);
-    if (std::isfinite(step.hexagonal)) fmt::format_to(to, "{}", step.hexagonal);
-    fmt::format_to(to, ",{},", step.farthest);
-    if (with_times) fmt::format_to(to, "{:.6f}", step.seconds);
-    text += step.taken ? ",1\n" : ",0\n";
+}  // namespace
+
+Result<void> SitesRun::load(const PlanRun& plan) {
+  auto read = densityOf(command.density);
+  if (!read) return tl::unexpected(std::move(read.error()));
+  density = std::move(*read);
+  const auto sampled = sampledCount(source.sites);
+  if (!sampled) return tl::unexpected(sampled.error());
+  if (*sampled) {
+    VORPIPE_TRY(makeGenerator(source, **sampled, density.density));
   }
-  return text;
+  auto loaded = CommandRun::load(source, plan);
+  if (!loaded) return tl::unexpected(std::move(loaded.error()));
+  VORPIPE_TRY(placeUnder(density, command.density, source, *loaded));
+  if (*sampled) {
+    auto sites = drawnFrom(density.density, loaded->domain, loaded->outline, **sampled, source.seed);
+    if (!sites) return asOption(std::move(sites.error()), source);
+    loaded->sites.x = std::move(sites->x);
+    loaded->sites.y = std::move(sites->y);
+  }
+  input = std::move(*loaded);
+  return {};
+}
+
+Result<void> SitesRun::begin(const PlanRun& plan) {
+  VORPIPE_TRY(checkInput(source, *input, cellsOptions(*this), options.backend.threads));
+  if (!command.targets.pictures.empty()) {
+    const auto render = pictureOf(command.picture, source, *input);
+    if (!render) return tl::unexpected(render.error());
+    if (surface == Surface::free) {
+      VORPIPE_TRY(checkFreePicture("--picture", *render, needsOf(command.targets.pictures)));
+    }
+  }
+  awaitResultOnSignals();
+  return CommandRun::begin(source, *input, ImagesFor::cells, plan);
+}
+
+void SitesRun::planDensityOf(MemoryPlan& plan, Workload& work) const {
+  work.density_pixels = density.density.values.size();
+  if (work.density_pixels > 0) planDensity(plan, work.density_pixels);
+}
+
+void SitesRun::planFiles(MemoryPlan& plan, const Workload& work) const {
+  const ResultTargets& targets = command.targets;
+  const auto domain = input ? std::optional(input->domain) : std::nullopt;
+  if (!targets.pictures.empty())
+    planDrawingAfterSteps(plan, work, command.picture, domain, needsOf(targets.pictures));
+  if (!targets.cells.empty()) planCells(plan, work, targets.detail());
+  for (const CellsTarget& target : targets.cells) planCellsFile(plan, work, *target.format);
+}
+
+Result<void> SitesRun::write(const Sites& sites, RunOutput output) {
+  const auto parts = partsOf(*this, sites);
+  if (!parts) return tl::unexpected(parts.error());
+  std::vector<Writer> writers = writersOf(*this, *parts);
+  std::ranges::move(output.writers, std::back_inserter(writers));
+  output.writers = std::move(writers);
+  output.figures = [&, others = std::move(output.figures)](nlohmann::ordered_json& json) {
+    if (parts->cells) addSums(json, *parts->cells);
+    others(json);
+  };
+  return CommandRun::write(output);
+}
+
+Result<void> SitesRun::writeNumbered(const Sites& sites, std::uint64_t number) {
+  const auto parts = partsOf(*this, sites);
+  if (!parts) return tl::unexpected(parts.error());
+  auto numbered = createOutputs(command.targets.numberedPaths(number), files);
+  if (!numbered) return tl::unexpected(std::move(numbered.error()));
+  const auto writers = writersOf(*this, *parts);
+  for (std::size_t k = 0; k < writers.size(); ++k) {
+    VORPIPE_TRY(log.noteOutput((*numbered)[k], writers[k]));
+  }
+  return commitAll(*numbered);
 }
 
 }  // namespace vorpipe::cli

@@ -1,57 +1,71 @@
-/// The files that `relax` and `transport` write for the present sites.
+/// What `relax` and `transport` have in common: sites under a density, and files of the resulting sites.
 #pragma once
 
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
-#include "cli/drawing.h"
 #include "cli/input.h"
+#include "cli/options/density_options.h"
 #include "cli/options/picture_options.h"
 #include "cli/options/result_outputs.h"
-#include "cli/run_end.h"
+#include "cli/run.h"
 #include "vorpipe.h"
 
 namespace vorpipe::cli {
 
-/// What is needed to make the files.
-struct ResultJob {
-  const ResultTargets& targets;
-  const InputOptions& options;
-  const PictureOptions& picture;
-  const Input& input;
-  const Density& density;  ///< for the masses of cells
-  SearchOptions search;
-  int threads;
+struct SitesOptions : RunOptions {
+  InputOptions input;
+  PictureOptions picture;
+  ResultTargets targets;
+  DensityOptions density;
+};
+
+/// A run over sites under a density. Set `surface` and how to read the input before load().
+struct SitesRun : CommandRun {
+  SitesRun(std::string name, const SitesOptions& from, const Invocation& invocation,
+           std::vector<std::string> output_paths)
+      : CommandRun(std::move(name), from, invocation, std::move(output_paths)),
+        command(from),
+        source(from.input) {}
+
+  /// Reads the density; reads, generates or samples the sites. `--sites density:N` samples N sites from the
+  /// density, in the box of its pixels if no domain is given. `plan` is called with the density known.
+  /// Errors: those of readDensity, CommandRun::load and placeDensity; (input) there is no density, or the
+  /// domain is to come from sites to be sampled.
+  Result<void> load(const PlanRun& plan);
+
+  /// Returns, before a backend is opened, the errors that computing cells or drawing pictures would; then
+  /// begins the run. From now on, a signal lets it end with a partial result.
+  Result<void> begin(const PlanRun& plan);
+
+  /// Plans the memory of the density, and completes the workload.
+  void planDensityOf(MemoryPlan& plan, Workload& work) const;
+  /// Plans the memory of the files of sites, besides the run's own.
+  void planFiles(MemoryPlan& plan, const Workload& work) const;
+
+  /// Writes the files of the resulting sites, then those of `output`; adds the sums of files of cells to its
+  /// figures. Errors: those of Session::cells, pictureOf, draw and CommandRun::write.
+  Result<void> write(const Sites& sites, RunOutput output);
+
+  /// Writes the files of ResultTargets::numberedPaths. Errors likewise, and those of createOutputs.
+  Result<void> writeNumbered(const Sites& sites, std::uint64_t number);
+
+  const SitesOptions& command;
+  InputOptions source;  ///< of the input; a generator in place of `density:N`
   Surface surface = Surface::none;
+  DensityFile density{};         ///< empty until it is loaded, or if there is none
+  std::optional<Input> input{};  ///< once it is loaded
 };
 
-/// Sites, with the parts that the files need.
-struct ResultParts {
-  Sites plane;                     ///< in the coordinates of the domain
-  PlacedSites placed{};            ///< in the coordinates of files: in degrees if the input was
-  std::optional<Diagram> cells{};  ///< likewise
-  std::optional<Drawing> drawing{};
-  RenderOptions render{};
-};
-
-/// Plans the memory of the files of sites, besides the run's own; `domain` if known.
-void planFiles(MemoryPlan& plan, const Workload& work, const ResultTargets& targets,
-               const PictureOptions& picture, const std::optional<Box>& domain);
-
-/// Returns, before a backend is opened, the errors that computing cells or drawing pictures would.
-Result<void> checkBefore(const ResultJob& job);
-
-/// Returns which kinds of pictures are needed.
-DrawingNeeds needsOf(const std::vector<PictureFile>& pictures);
-
-/// Computes what the files need. Errors: those of Session::cells, pictureOf and draw.
-Result<ResultParts> partsOf(Session& session, const ResultJob& job, const Sites& sites);
-
-/// Returns a writer for each file of ResultTargets::paths(); they refer to both arguments.
-std::vector<Writer> writersOf(const ResultJob& job, const ResultParts& parts);
-
-/// Returns the rows of --trace; without `with_times`, only what is the same in every run.
-std::string traceText(const std::vector<RelaxStep>& trace, bool with_times);
+/// Returns a writer of --trace: `text` makes its rows, without times if asked.
+template <class Step>
+Writer traceWriter(RunLog& log, const std::vector<Step>& trace,
+                   std::string (*text)(const std::vector<Step>&, bool with_times)) {
+  return [&, text](ByteSink& to) {
+    return log.writeTimed(to, [&](bool with_times) { return text(trace, with_times); });
+  };
+}
 
 }  // namespace vorpipe::cli

@@ -1,22 +1,39 @@
 #include "cli/stats.h"
 
-#include <sys/resource.h>
-
 #include <fmt/core.h>
+#include <sys/resource.h>
 
 #include <algorithm>
 #include <cmath>
 #include <fstream>
 #include <nlohmann/json.hpp>
+#include <numeric>
+#include <utility>
 
 #include "base/parallel.h"
 #include "bench/machine.h"
+#include "io/base/error.h"
 #include "io/base/field_text.h"
 
 namespace vorpipe::cli {
 namespace {
 
 using Json = nlohmann::ordered_json;
+
+/// Hashes the bytes that it passes on.
+class HashingSink final : public ByteSink {
+ public:
+  explicit HashingSink(ByteSink& to) : ByteSink(to.name()), to_(to) {}
+  Result<void> write(std::string_view bytes) override {
+    hash_.add(bytes);
+    return to_.write(bytes);
+  }
+  [[nodiscard]] Contents contents() const { return hash_.contents(); }
+
+ private:
+  ByteSink& to_;
+  ContentHash hash_;
+};
 
 Json time(double milliseconds) { return milliseconds < 0 ? Json(nullptr) : Json(milliseconds); }
 
@@ -70,60 +87,82 @@ void addLog(Json& json, const RunLog& log) {
   }
 }
 
-/// Returns what determines the colors, their scale and the range of values.
-Json colorJson(const ColorKey& key) {
-  const std::string_view by = key.color == ColorBy::area        ? "area"
-                              : key.color == ColorBy::neighbors ? "neighbors"
-                                                                : "weight";
-  const std::string_view scale = key.scale == ColorScale::log        ? "log"
-                                 : key.scale == ColorScale::quantile ? "quantile"
-                                                                     : "linear";
-  return {{"by", by}, {"scale", scale}, {"range", {key.range.low, key.range.high}}};
+/// What is wrong; empty: nothing.
+using Problem = std::string;
+
+std::string textAt(const nlohmann::json& object, const char* key) {
+  const auto found = object.find(key);
+  return found != object.end() && found->is_string() ? found->get<std::string>() : std::string();
 }
 
-Json relaxationJson(const RelaxFigures& figures) {
-  // With weights there is no reference to compare with.
-  const auto part = [](double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); };
-  return {{"method", figures.method},
-          {"diagrams", figures.diagrams},
-          {"end", figures.end},
-          {"energy", {figures.first.energy, figures.last.energy}},
-          {"hexagonal", {part(figures.first.hexagonal), part(figures.last.hexagonal)}},
-          {"farthest", {figures.first.farthest, figures.last.farthest}}};
+Problem readArguments(const nlohmann::json& object, RecordedRun& run) {
+  const auto found = object.find("arguments");
+  if (found == object.end()) {
+    return "has no \"arguments\": an older version wrote it, or it is not from --stats";
+  }
+  const bool texts = found->is_array() && std::ranges::all_of(*found, [](const nlohmann::json& value) {
+                       return value.is_string();
+                     });
+  if (!texts || found->empty()) return "\"arguments\" is no list of texts";
+  run.arguments = found->get<std::vector<std::string>>();
+  return {};
 }
 
-Json transportJson(const TransportFigures& figures) {
-  const TransportStep& last = figures.last;
-  return {{"surface", figures.free_surface ? Json("free") : Json(nullptr)},
-          {"diagrams", figures.diagrams},
-          {"newton", figures.newton},
-          {"end", figures.end},
-          {"worst", last.worst},
-          {"norm", last.norm},
-          {"mass", figures.mass},
-          {"cost", figures.cost}};
-}
-
-Json fluidJson(const FluidFigures& figures) {
-  const FluidStep &first = figures.first, &last = figures.last;
-  return {{"scheme", figures.scheme},
-          {"epsilon", figures.scheme == "springs" ? Json(figures.epsilon) : Json(nullptr)},
-          {"end", figures.end},
-          {"step", {first.step, last.step}},
-          {"time", {first.time, last.time}},
-          {"kinetic", {first.kinetic, last.kinetic}},
-          {"potential", {first.potential, last.potential}},
-          {"spring", {first.spring, last.spring}},
-          {"energy", {first.energy(), last.energy()}},
-          {"energy_drift", figures.drift},
-          {"momentum", {last.momentum.x, last.momentum.y}},
-          {"worst_area", figures.worst},
-          {"farthest", {first.farthest, last.farthest}}};
+Problem readFiles(const nlohmann::json& object, const char* key, std::vector<WrittenFile>& files) {
+  const auto found = object.find(key);
+  if (found == object.end() || !found->is_array()) return fmt::format("has no list \"{}\"", key);
+  for (const nlohmann::json& entry : *found) {
+    const auto bytes = entry.is_object() ? entry.find("bytes") : entry.end();
+    const bool whole = entry.is_object() && bytes != entry.end() && bytes->is_number_unsigned() &&
+                       !textAt(entry, "path").empty() && !textAt(entry, "xxh128").empty();
+    if (!whole) {
+      return fmt::format("\"{}\", number {}: has no \"path\", \"bytes\" and \"xxh128\"", key,
+                         files.size() + 1);
+    }
+    files.push_back({{textAt(entry, "path"), {bytes->get<std::uint64_t>(), textAt(entry, "xxh128")}},
+                     textAt(entry, "xxh128_without_times")});
+  }
+  return {};
 }
 
 }  // namespace
 
-void addShape(nlohmann::ordered_json& json, const Input& input) {
+RunLog::RunLog(const Invocation& invocation, bool stats_wanted)
+    : invocation_(invocation),
+      hashes_(stats_wanted || invocation.stats != nullptr),
+      reads_(hashes_ ? ReadLog::Notes::contents : ReadLog::Notes::names) {}
+
+Result<void> RunLog::noteOutput(ByteSink& to, const std::function<Result<void>(ByteSink&)>& write) {
+  if (!hashes_) return write(to);
+  HashingSink hashing(to);
+  auto written = write(hashing);
+  if (written) outputs_.push_back({{to.name(), hashing.contents()}, std::exchange(timeless_, {})});
+  return written;
+}
+
+Result<void> RunLog::writeTimed(ByteSink& to, const std::function<std::string(bool with_times)>& text) {
+  if (hashes_) {
+    ContentHash hash;
+    hash.add(text(false));
+    timeless_ = hash.contents().xxh128;
+  }
+  return to.write(text(true));
+}
+
+void addSums(Json& json, const Diagram& diagram) {
+  json["area_sum"] = areaSum(diagram);
+  if (!diagram.mass.empty())
+    json["mass_sum"] = std::accumulate(diagram.mass.begin(), diagram.mass.end(), 0.0);
+}
+
+Json resolvedJson(const Report& report) {
+  return {{"retried", report.retried},
+          {"double", report.in_double},
+          {"exact", report.exact},
+          {"pixels", report.pixels}};
+}
+
+void addShape(Json& json, const Input& input) {
   const auto& weight = input.sites.weight;
   const auto& rings = input.outline.ring_offsets;
   json["outline"] = nullptr;
@@ -161,24 +200,15 @@ std::string statsJson(const Stats& stats) {
   json["notes"] = report.notes;
   json["search"] = searchText(stats.log.search);
   json["threads"] = threadCount(stats.log.threads);
-  json["sites"] = stats.tiles ? stats.tiles->sites : stats.input.sites.size();
+  json["sites"] = stats.input.sites.size();
   json["seed"] = stats.input.seed ? Json(*stats.input.seed) : Json(nullptr);
   json["domain"] = {domain.xmin, domain.ymin, domain.xmax, domain.ymax};
   addShape(json, stats.input);
   json["status"] = {{"ok", report.ok}, {"empty", report.empty}, {"duplicate", report.duplicate}};
   json["hidden"] = stats.input.sites.weight.empty() ? Json(nullptr) : Json(report.hidden);
-  json["resolved"] = {{"retried", report.retried},
-                      {"double", report.in_double},
-                      {"exact", report.exact},
-                      {"pixels", report.pixels}};
-  json["area_sum"] = stats.area_sum ? Json(*stats.area_sum) : Json(nullptr);
-  json["mass_sum"] = stats.mass_sum ? Json(*stats.mass_sum) : Json(nullptr);
-  json["color"] = stats.color ? colorJson(*stats.color) : Json(nullptr);
-  if (stats.relaxation) json["relaxation"] = relaxationJson(*stats.relaxation);
-  if (stats.transport) json["transport"] = transportJson(*stats.transport);
-  if (stats.fluid) json["fluid"] = fluidJson(*stats.fluid);
-  if (const auto& tiles = stats.tiles)
-    json["tiles"] = {{"count", tiles->tiles}, {"largest", tiles->largest}, {"open", tiles->open}};
+  json["resolved"] = resolvedJson(report);
+  for (const char* figure : {"area_sum", "mass_sum", "color"}) json[figure] = nullptr;
+  stats.addFigures(json);
   json["time_ms"] = {
       {"read", time(stats.input.read_ms)}, {"order", time(times.order)},    {"upload", time(times.upload)},
       {"search", time(times.search)},      {"cells", time(times.cells)},    {"draw", time(times.draw)},
@@ -189,6 +219,24 @@ std::string statsJson(const Stats& stats) {
   json["forecast_memory_bytes"] = stats.forecast;
   json["peak_memory_bytes"] = peakMemoryBytes();
   return jsonText(json, 2);
+}
+
+Result<RecordedRun> recordedRun(const std::string& name, std::string_view text) {
+  const nlohmann::json object = nlohmann::json::parse(text, nullptr, /*allow_exceptions=*/false);
+  if (object.is_discarded()) return inputError(name + ": is no JSON");
+  if (!object.is_object()) return inputError(name + ": is no JSON object, as --stats writes");
+  RecordedRun run;
+  Problem problem = readArguments(object, run);
+  std::vector<WrittenFile> inputs;
+  if (problem.empty()) problem = readFiles(object, "inputs", inputs);
+  if (problem.empty()) problem = readFiles(object, "outputs", run.outputs);
+  if (!problem.empty()) return inputError(fmt::format("{}: {}", name, problem));
+  for (WrittenFile& input : inputs) run.inputs.push_back(std::move(input.file));
+  run.version = textAt(object, "version");
+  run.revision = textAt(object, "revision");
+  run.backend = textAt(object, "backend");
+  run.device = textAt(object, "device");
+  return run;
 }
 
 }  // namespace vorpipe::cli

@@ -9,10 +9,11 @@
 
 #include "base/try.h"
 #include "cli/input.h"
-#include "cli/run_end.h"
+#include "cli/run.h"
 #include "io/base/extension.h"
 #include "io/cells/fluid_state.h"
 #include "io/sites/density_file.h"
+#include "vorpipe/fluid.h"
 
 namespace vorpipe::cli {
 namespace {
@@ -68,21 +69,7 @@ void addDomain(std::vector<std::string>& to, const InputOptions& options) {
   }
 }
 
-Result<view::Opened> opened(const InputOptions& options, const TalkOptions& talk) {
-  auto input = loadInput(options);
-  if (!input) return tl::unexpected(std::move(input.error()));
-  CellsOptions cells{};
-  cells.domain = input->domain;
-  cells.outline = input->outline;
-  cells.periodic = input->periodic;
-  VORPIPE_TRY(checkInput(options, *input, cells, /*threads=*/0));
-  printNotes(talk, *input);
-  return view::Opened{std::move(input->sites), input->domain, std::move(input->outline), input->periodic,
-                      argumentsOf(options)};
-}
-
-}  // namespace
-
+/// Returns command-line options equivalent to these; empty for standard input.
 std::vector<std::string> argumentsOf(const InputOptions& options) {
   if (options.sites == "-") return {};
   std::vector<std::string> arguments;
@@ -93,6 +80,17 @@ std::vector<std::string> argumentsOf(const InputOptions& options) {
   addDomain(arguments, options);
   return arguments;
 }
+
+Result<view::Opened> opened(const InputOptions& options, const TalkOptions& talk) {
+  auto input = loadInput(options);
+  if (!input) return tl::unexpected(std::move(input.error()));
+  VORPIPE_TRY(checkInput(options, *input, cellsOptionsOf(*input), /*threads=*/0));
+  printNotes(talk, *input);
+  return view::Opened{std::move(input->sites), input->domain, std::move(input->outline), input->periodic,
+                      argumentsOf(options)};
+}
+
+}  // namespace
 
 Result<view::Opened> openForView(const InputOptions& options, const TalkOptions& talk) {
   if (!options.sites.empty()) return opened(options, talk);
@@ -127,6 +125,24 @@ Result<view::Loaded> loadForView(const std::string& path, const InputOptions& op
   if (!file) return tl::unexpected(std::move(file.error()));
   loaded.opened = std::move(*file);
   return loaded;
+}
+
+Result<view::Opened> openFluidForView(const FluidChoices& choices, const BackendOptions& backend,
+                                      const SearchOptions& search) {
+  auto setup = startOf(choices);
+  if (!setup) return tl::unexpected(std::move(setup.error()));
+  setup->options.search = search;
+  if (!choices.until) setup->options.until = FluidOptions{}.until;
+  auto session = Session::open(backend);
+  if (!session) return tl::unexpected(std::move(session.error()));
+  const auto fluid = Fluid::begin(*session, std::move(setup->state), setup->options);
+  if (!fluid) return asFluidOption(fluid.error(), choices);
+  auto begun = std::make_shared<view::FluidSnapshot>();
+  begun->setup = {fluid->state(), setup->options};
+  begun->last = fluid->last();
+  begun->sites = std::make_shared<const Sites>(begun->setup.state.sites);
+  begun->is_begun = true;
+  return view::openedFluid(std::move(begun), choices.begin.empty() ? choices.resume : choices.begin);
 }
 
 }  // namespace vorpipe::cli

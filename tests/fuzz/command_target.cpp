@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "cli/commands/command.h"
-#include "cli/manual/examples.h"
+#include "cli/manual/manual.h"
 #include "target.h"
 
 namespace vorpipe::fuzz {

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <string>
 
-#include "cli/recorded_run.h"
+#include "cli/stats.h"
 #include "io/cells/fluid_state.h"
 #include "io/pictures/npy_ids.h"
 #include "io/pictures/png_file.h"

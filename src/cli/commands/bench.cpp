@@ -5,6 +5,7 @@
 #include <array>
 #include <cstdio>
 #include <filesystem>
+#include <functional>
 #include <memory>
 
 #include "base/try.h"
@@ -16,7 +17,7 @@
 #include "cli/options/error_line.h"
 #include "cli/options/options.h"
 #include "cli/progress.h"
-#include "cli/run_end.h"
+#include "cli/run.h"
 #include "io/base/error.h"
 #include "io/base/quoted.h"
 #include "io/cells/forecast_files.h"
@@ -156,20 +157,6 @@ Result<bench::Findings> measure(const BenchCommand& command, bench::Lab& lab,
   return all;
 }
 
-/// A requested file, with the text to write to it.
-struct Output {
-  std::string path;
-  std::function<std::string()> text;
-};
-
-Result<void> writeFiles(std::span<const Output> outputs, std::span<OutputFile> files) {
-  std::vector<Writer> writers;
-  for (const Output& output : outputs) {
-    writers.emplace_back([&output](ByteSink& to) { return to.write(output.text()); });
-  }
-  return writeOutputs(files, writers);
-}
-
 Result<ExitCode> bench(const BenchCommand& command) {
   setDriverThreads(command.backend.threads);
   const auto wanted = wantedTables(command);
@@ -178,15 +165,17 @@ Result<ExitCode> bench(const BenchCommand& command) {
   }
   std::string text, report, caption;
   bench::Findings findings;
-  std::vector<Output> outputs;
-  if (!command.json.empty()) {
-    outputs.push_back({command.json, [&] { return report; }});
-  }
-  if (!command.markdown.empty()) outputs.push_back({command.markdown, [&] { return text; }});
-  if (!command.plot.empty()) outputs.push_back({command.plot, [&] { return svg(findings.plots, caption); }});
-  std::vector<std::string> paths(outputs.size());
-  std::ranges::transform(outputs, paths.begin(), &Output::path);
-  auto files = openOutputs(paths);
+  std::vector<std::string> paths;
+  std::vector<Writer> writers;
+  const auto add = [&](const std::string& path, const std::function<std::string()>& make) {
+    if (path.empty()) return;
+    paths.push_back(path);
+    writers.emplace_back([make](ByteSink& to) { return to.write(make()); });
+  };
+  add(command.json, [&] { return report; });
+  add(command.markdown, [&] { return text; });
+  add(command.plot, [&] { return svg(findings.plots, caption); });
+  auto files = createFiles(paths);
   if (!files) return tl::unexpected(std::move(files.error()));
 
   std::vector<std::string> unusable;
@@ -213,7 +202,7 @@ Result<ExitCode> bench(const BenchCommand& command) {
   if (!measured) return tl::unexpected(std::move(measured.error()));
   findings = std::move(*measured);
   report = bench::reportJson(conditions, findings.tables);
-  VORPIPE_TRY(writeFiles(outputs, *files));
+  VORPIPE_TRY(writeOutputs(*files, writers));
   if (lab.failures().empty()) return exit_done;
   return deviceError(
       fmt::format("{} measurements failed, as {}", lab.failures().size(), lab.failures().front()));

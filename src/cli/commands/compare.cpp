@@ -1,45 +1,31 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <functional>
 #include <memory>
+#include <nlohmann/json.hpp>
+#include <utility>
 
 #include "base/stopwatch.h"
 #include "base/try.h"
-#include "bench/driver_threads.h"
 #include "cli/commands/command.h"
 #include "cli/comparison.h"
-#include "cli/forecast.h"
-#include "cli/input.h"
+#include "cli/drawing.h"
 #include "cli/options/error_line.h"
-#include "cli/options/options.h"
 #include "cli/options/picture_options.h"
-#include "cli/picture.h"
 #include "cli/progress.h"
-#include "cli/run_end.h"
-#include "cli/stats.h"
+#include "cli/run.h"
 #include "io/pictures/png_file.h"
 
 namespace vorpipe::cli {
 namespace {
 
-struct CompareCommand {
+struct CompareCommand : RunOptions {
   std::vector<std::string> backends;
   InputOptions input;
-  BackendOptions backend;
-  TalkOptions talk;
   PictureOptions picture;
-  bool check = false;
-  std::string report, png, stats;
-  std::optional<std::uint64_t> memory_limit;
+  std::string report, png;
 };
-
-std::vector<std::string> outputPaths(const CompareCommand& command) {
-  std::vector<std::string> paths;
-  for (const std::string& path : {command.report, command.png, command.stats}) {
-    if (!path.empty()) paths.push_back(path);
-  }
-  return paths;
-}
 
 /// Adds the broken promises, prefixed with the backend's name and what broke them.
 Result<void> addBroken(std::string_view name, std::string_view what,
@@ -103,60 +89,47 @@ Result<std::vector<BackendRun>> runBackends(const CompareCommand& command, const
   return runs;
 }
 
-Result<void> writeFiles(const CompareCommand& command, const Comparison& comparison, const Input& input,
-                        RunLog& log, std::uint64_t forecast, std::span<OutputFile> files,
-                        const Stopwatch& total) {
-  const Stopwatch watch;
-  std::vector<Writer> writers;
+Result<void> writeFiles(const CompareCommand& command, CommandRun& run, const Comparison& comparison,
+                        const Input& input) {
+  const Report report = reportOf(comparison);
+  RunOutput output{input, report};
   if (!command.report.empty()) {
-    writers.emplace_back([&](ByteSink& to) {
-      log.noteTimeless(comparisonJson(comparison, input, false));
-      return to.write(comparisonJson(comparison, input, true));
+    output.writers.emplace_back([&](ByteSink& to) {
+      return run.log.writeTimed(
+          to, [&](bool with_times) { return comparisonJson(comparison, input, with_times); });
     });
   }
   if (!command.png.empty()) {
-    writers.emplace_back([&](ByteSink& to) {
+    output.writers.emplace_back([&](ByteSink& to) {
       const Picture montage = comparisonMontage(comparison);
       return writePng(to, montage.width, montage.height, montage.rgba);
     });
   }
-  const auto stats = [&] {
-    return statsJson({"compare", input, reportOf(comparison), log, watch.milliseconds(), total.milliseconds(),
-                      forecast, areaSum(comparison.runs.front().cells)});
+  output.figures = [&](nlohmann::ordered_json& json) {
+    json["area_sum"] = areaSum(comparison.runs.front().cells);
   };
-  return writeOutputs(files, writers, log, stats);
+  return run.write(output);
 }
 
 /// Plans the memory: keeps pictures and cells of every backend, but not its session; then compares every
 /// pair.
-PlanRun planOf(const CompareCommand& command, const PictureSize& size) {
-  return [&command, size](MemoryPlan& plan, Workload work) {
-    RenderOptions render = command.picture.render;
-    render.width = size.width;
-    render.height = size.height;
-    for (const std::string& name : command.backends) {
-      work.backend = name;
-      planSession(plan, work);
-      const auto since = plan.next();
-      const std::vector kept{planPicture(plan, work, render), planCells(plan, work, Detail::measures)};
-      if (command.check) planPictureCheck(plan, work, render);
-      if (command.check) planCellsCheck(plan, work, Detail::measures);
-      plan.dropSince(since, kept);
-    }
-    const auto pixels = static_cast<std::uint64_t>(size.width) * static_cast<std::uint64_t>(size.height);
-    const std::uint64_t runs = command.backends.size(), pairs = runs * (runs - 1) / 2;
-    plan.take("differences of pictures", pairs * pixels);
-    if (!command.png.empty()) plan.take("the pictures side by side", (runs + 2 * pairs) * pixels * 4);
-  };
-}
-
-/// Returns what to draw of the input, or why that is impossible.
-Result<RenderOptions> checkedOptions(const CompareCommand& command, const Input& input) {
-  const int threads = command.backend.threads;
-  auto options = pictureOf(command.picture, command.input, input);
-  if (!options) return options;
-  VORPIPE_TRY(checkInput(command.input, input, cellsOptions(*options), threads));
-  return options;
+void planCompare(const CompareCommand& command, const PictureSize& size, MemoryPlan& plan, Workload work) {
+  RenderOptions render = command.picture.render;
+  render.width = size.width;
+  render.height = size.height;
+  for (const std::string& name : command.backends) {
+    work.backend = name;
+    planSession(plan, work);
+    const auto since = plan.next();
+    const std::vector kept{planPicture(plan, work, render), planCells(plan, work, Detail::measures)};
+    if (command.check) planPictureCheck(plan, work, render);
+    if (command.check) planCellsCheck(plan, work, Detail::measures);
+    plan.dropSince(since, kept);
+  }
+  const auto pixels = static_cast<std::uint64_t>(size.width) * static_cast<std::uint64_t>(size.height);
+  const std::uint64_t runs = command.backends.size(), pairs = runs * (runs - 1) / 2;
+  plan.take("differences of pictures", pairs * pixels);
+  if (!command.png.empty()) plan.take("the pictures side by side", (runs + 2 * pairs) * pixels * 4);
 }
 
 /// Forecasts the run as if every device were software: which ones are is known only once they are open.
@@ -165,44 +138,41 @@ Result<std::uint64_t> forecastAll(const CompareCommand& command, const Input& in
   DeviceInfo software;
   software.backend = command.backends.front();
   software.type = "cpu";
+  const PictureSize size{options.width, options.height};
   return forecastRun(command.input, input, ImagesFor::cells, software, command.backend,
-                     planOf(command, {options.width, options.height}), command.memory_limit);
+                     std::bind_front(planCompare, std::cref(command), size), command.memory_limit);
 }
 
 Result<ExitCode> compare(const CompareCommand& command, const Invocation& how) {
-  setDriverThreads(command.backend.threads);
-  const Stopwatch total;
-  RunLog log(how, !command.stats.empty());
-  log.search = command.picture.render.search;
-  log.threads = command.backend.threads;
-  const auto fits = forecastGenerated(command.input, planOf(command, sizeBefore(command.picture.size)),
-                                      command.memory_limit);
-  if (!fits) return tl::unexpected(fits.error());
-  const auto input = loadInput(command.input);
+  std::vector<std::string> paths{command.report, command.png};
+  std::erase(paths, "");
+  CommandRun run("compare", command, how, std::move(paths));
+  const auto input = run.load(
+      command.input, std::bind_front(planCompare, std::cref(command), sizeBefore(command.picture.size)));
   if (!input) return tl::unexpected(input.error());
-  const auto options = checkedOptions(command, *input);
-  if (!options) return tl::unexpected(options.error());
+  auto options = pictureOf(command.picture, command.input, *input);
+  if (!options) return tl::unexpected(std::move(options.error()));
+  options->search = command.search;
+  VORPIPE_TRY(checkInput(command.input, *input, cellsOptions(*options), command.backend.threads));
   printNotes(command.talk, *input);
   const auto forecast = forecastAll(command, *input, *options);
   if (!forecast) return tl::unexpected(forecast.error());
-  const std::vector<std::string> paths = outputPaths(command);
-  auto files = openOutputs(paths);
-  if (!files) return tl::unexpected(std::move(files.error()));
+  run.forecast = *forecast;
+  VORPIPE_TRY(run.createFiles());
   auto runs = runBackends(command, *input, *options);
   if (!runs) return tl::unexpected(std::move(runs.error()));
   if (runs->empty()) return exit_device;
   std::vector<std::string> broken;
-  for (const BackendRun& run : *runs) broken.insert(broken.end(), run.broken.begin(), run.broken.end());
+  for (const BackendRun& each : *runs) broken.insert(broken.end(), each.broken.begin(), each.broken.end());
   if (!*passesCheck(broken)) return exit_different;
   const BackendRun& first = runs->front();
   printMissingCells(command.talk, *input, first.cells.status, first.cells.report);
-  log.choice = choiceOf(*runs);
+  run.log.choice = choiceOf(*runs);
   auto pairs = comparePairs(*runs, *input, *options);
   if (!pairs) return tl::unexpected(std::move(pairs.error()));
   const Comparison comparison{std::move(*runs), std::move(*pairs)};
-  const auto written = writeFiles(command, comparison, *input, log, *forecast, *files, total);
-  if (!written) return tl::unexpected(written.error());
-  printSummary(command.talk, paths, comparisonTable(comparison));
+  VORPIPE_TRY(writeFiles(command, run, comparison, *input));
+  printSummary(command.talk, run.paths, comparisonTable(comparison));
   const std::string differences = disagreementText(comparison);
   if (differences.empty()) return exit_done;
   printError(differences);
@@ -226,7 +196,7 @@ void addCompare(CommandLine& line) {
   options.group("Picture");
   addSizeOptions(options, command->picture);
   addDeviceChoice(options, command->backend);
-  addSearchOptions(options, command->picture.render.search);
+  addSearchOptions(options, command->search);
   addRunOptions(options, command->backend, command->memory_limit);
   options.group("Output");
   addAnyFile(options, "--report", command->report, {".json"}, "what was found, in JSON");

@@ -6,16 +6,14 @@
 
 #include "base/try.h"
 #include "cli/commands/command.h"
-#include "cli/difference_picture.h"
-#include "cli/difference_text.h"
+#include "cli/difference.h"
 #include "cli/forecast.h"
 #include "cli/input.h"
 #include "cli/options/error_line.h"
 #include "cli/options/options.h"
 #include "cli/options/picture_options.h"
-#include "cli/picture.h"
 #include "cli/progress.h"
-#include "cli/run_end.h"
+#include "cli/run.h"
 #include "io/base/error.h"
 #include "io/base/extension.h"
 #include "io/base/read_log.h"
@@ -99,8 +97,7 @@ DiffOutcome compareColors(const DiffCommand& command, const Image& a, const Imag
     outcome.difference = fmt::format(
         "{} pixels differ, by at most {} of 255, first at row {}, column {}, all in rows {} to {} and "
         "columns {} to {}; to tell ties from faults, render both with --ids, as a.npy and b.npy, then "
-        "vorpipe "
-        "diff a.npy b.npy --sites and what else they were rendered with",
+        "vorpipe diff a.npy b.npy --sites and what else they were rendered with",
         diff.different, diff.largest, diff.first_row, diff.first_column, diff.top, diff.bottom, diff.left,
         diff.right);
   }
@@ -112,7 +109,7 @@ DiffOutcome compareColors(const DiffCommand& command, const Image& a, const Imag
 }
 
 Result<void> writePicture(const std::string& path, const Picture& picture) {
-  auto files = openOutputs(std::array{path});
+  auto files = createFiles(std::array{path});
   if (!files) return tl::unexpected(std::move(files.error()));
   const Writer writer = [&](ByteSink& to) {
     return writePng(to, picture.width, picture.height, picture.rgba);

@@ -4,41 +4,100 @@
 #include <array>
 #include <cmath>
 #include <memory>
-#include <span>
+#include <nlohmann/json.hpp>
+#include <optional>
 #include <string>
+#include <string_view>
 
 #include "base/stopwatch.h"
 #include "base/try.h"
-#include "bench/driver_threads.h"
 #include "cli/commands/command.h"
+#include "cli/drawing.h"
 #include "cli/fluid_files.h"
-#include "cli/fluid_plan.h"
-#include "cli/input.h"
 #include "cli/options/error_line.h"
 #include "cli/options/fluid_options.h"
-#include "cli/options/options.h"
 #include "cli/options/picture_options.h"
-#include "cli/picture.h"
 #include "cli/progress.h"
-#include "cli/run_end.h"
-#include "cli/stats.h"
+#include "cli/run.h"
 #include "io/base/error.h"
 #include "io/cells/cells_file.h"
+#include "io/cells/forecast_files.h"
 #include "vorpipe/fluid.h"
-#include "vorpipe/free_surface.h"
 
 namespace vorpipe::cli {
 namespace {
 
-struct FluidCommand {
+struct FluidCommand : RunOptions {
   FluidChoices choices;
   FluidTargets targets;
-  BackendOptions backend;
-  TalkOptions talk;
-  SearchOptions search;
   PictureOptions picture;
-  std::optional<std::uint64_t> memory_limit;
 };
+
+/// Returns the measured bytes per cell besides the diagram: parcels, their masses and weights, the matrix of
+/// Newton's steps and the levels of its solver. With projection also how areas change with velocities, and
+/// discs.
+std::uint64_t bytesOf(FluidScheme scheme, Surface surface, Periodic periodic) {
+  constexpr std::uint64_t of_springs = 920, of_periodic = 1300, of_projection = 1300, of_surface = 1850;
+  if (surface == Surface::free) return of_surface;
+  if (periodic != Periodic::none) return of_periodic;
+  return scheme == FluidScheme::projection ? of_projection : of_springs;
+}
+
+std::string_view optionOf(const FluidChoices& choices) {
+  if (!choices.resume.empty()) return "--resume";
+  return fluidCaseOf(choices.begin) ? "--particles" : "--case";
+}
+
+/// Returns the peak memory, in bytes, of a fluid that takes `of_fluid` bytes per cell.
+std::uint64_t peakOf(const FluidCommand& command, Workload work, std::uint64_t of_fluid,
+                     const std::optional<Box>& domain) {
+  constexpr std::uint64_t of_smallest = 12'000'000;
+  work.weighted = true;
+  MemoryPlan plan;
+  planSession(plan, work);
+  plan.take("the fluid", of_smallest + of_fluid * work.sites);
+  plan.drop(planCells(plan, work, Detail::polygons));
+  const FluidTargets& targets = command.targets;
+  if (!targets.series.empty()) plan.drop(planCells(plan, work, Detail::polygons));
+  if (!targets.frames.empty()) {
+    planDrawingAfterSteps(plan, work, command.picture, domain, {.pixels = true, .cells = false});
+  }
+  if (!targets.cells.empty()) planCells(plan, work, Detail::everything);
+  for (const CellsTarget& target : targets.cells) planCellsFile(plan, work, *target.format);
+  return plan.peak();
+}
+
+/// Error (input): more than is available, or than the limit.
+Result<std::uint64_t> allowed(const FluidCommand& command, std::uint64_t bytes) {
+  const auto lack = lackOfMemory(bytes, command.memory_limit);
+  if (lack) return inputError(fmt::format("{}: {}", optionOf(command.choices), *lack));
+  return bytes;
+}
+
+/// Error (input): the cells of a named case will not fit on any device. Call before the case is made.
+Result<void> forecastCase(const FluidCommand& command) {
+  const FluidChoices& choices = command.choices;
+  const auto which = fluidCaseOf(choices.begin);
+  if (!choices.resume.empty() || !which) return {};
+  // The options of a case do not depend on its number of parcels.
+  const FluidOptions options = fluidCase(*which, 64).options;
+  Workload work;
+  work.sites = choices.particles;
+  work.periodic = options.periodic != Periodic::none;
+  const auto of_fluid = bytesOf(choices.scheme.value_or(options.scheme), options.surface, options.periodic);
+  return allowed(command, peakOf(command, work, of_fluid, options.domain)).map([](std::uint64_t) {});
+}
+
+/// Returns the peak memory of a run, in bytes. Errors: those of allowed and workloadOf.
+Result<std::uint64_t> forecastFluid(const FluidCommand& command, const FluidSetup& setup,
+                                    const DeviceInfo& device) {
+  const FluidOptions& options = setup.options;
+  const auto work = workloadOf(setup.state.sites, cellsOptionsOf(options), ImagesFor::cells, device,
+                               command.backend.threads);
+  if (!work) return tl::unexpected(work.error());
+  return allowed(command, peakOf(command, *work, bytesOf(options.scheme, options.surface, options.periodic),
+                                 options.domain));
+}
 
 /// Why a run ended.
 enum class RunEnd : std::uint8_t { time, steps, seconds, areas, interrupted };
@@ -49,7 +108,7 @@ std::string_view endWordOf(RunEnd end) {
 }
 
 struct FluidOutcome {
-  FluidState state;
+  Input input;  ///< the resulting sites
   FluidStep first, last;
   double worst = 0, drift = 0;  ///< the largest over all steps
   RunEnd end = RunEnd::time;
@@ -93,8 +152,9 @@ Report withNewNotes(Report report, const std::vector<std::string>& told) {
 }
 
 /// Makes the steps, and writes the files that grow during the run.
-Result<FluidOutcome> flow(const FluidCommand& command, Session& session, FluidSetup setup,
-                          FluidRecord& record, RunLog& log) {
+Result<FluidOutcome> flow(const FluidCommand& command, CommandRun& run, FluidSetup setup,
+                          FluidRecord& record) {
+  Session& session = *run.session;
   const Stopwatch watch;
   ProgressBar bar(command.talk.quiet);
   const double start = setup.state.time;
@@ -130,8 +190,8 @@ Result<FluidOutcome> flow(const FluidCommand& command, Session& session, FluidSe
   if (recorded != outcome.last.step) {
     VORPIPE_TRY(record.add(session, fluid->state(), options));
   }
-  VORPIPE_TRY(record.finish(log));
-  outcome.state = fluid->state();
+  VORPIPE_TRY(record.finish(run.log));
+  outcome.input = inputOf(fluid->state(), options);
   outcome.has_exploded = fluid->hasExploded();
   outcome.epsilon = options.epsilon;
   outcome.report = fluid->report();
@@ -139,13 +199,12 @@ Result<FluidOutcome> flow(const FluidCommand& command, Session& session, FluidSe
 }
 
 /// Rejects options that nothing uses.
-Result<void> checkCommand(const FluidCommand& command, const FluidSetup& setup, const Invocation& how) {
+Result<void> checkCommand(const FluidCommand& command, const FluidSetup& setup, const CommandRun& run) {
   const FluidTargets& targets = command.targets;
-  if (targets.paths().empty() && targets.checkpoint.empty() && targets.trace.empty() &&
-      targets.frames.empty() && targets.series.empty() && how.stats == nullptr) {
-    return inputError(
-        "-o: name what to write, as in -o sites.csv (or give --cells, --trace, --frames, --series, "
-        "--checkpoint or --stats)");
+  if (targets.checkpoint.empty() && targets.trace.empty() && targets.frames.empty() &&
+      targets.series.empty()) {
+    VORPIPE_TRY(
+        run.needsOutput("sites.csv", "--cells, --trace, --frames, --series, --checkpoint or --stats"));
   }
   const bool by_flow = flowColorOf(setup.state, command.picture, targets.color) != view::FlowColor::none;
   if (!targets.frames.empty() && command.picture.render.legend && by_flow) {
@@ -154,55 +213,51 @@ Result<void> checkCommand(const FluidCommand& command, const FluidSetup& setup, 
   return {};
 }
 
-Result<void> writeFiles(const FluidCommand& command, const FluidOptions& options, Session& session,
-                        const FluidOutcome& outcome, std::vector<OutputFile>& files, RunLog& log,
-                        std::uint64_t forecast, const Stopwatch& total) {
-  const Stopwatch watch;
+Result<void> writeFiles(const FluidCommand& command, CommandRun& run, const FluidOptions& options,
+                        const FluidOutcome& outcome) {
+  const Sites& sites = outcome.input.sites;
+  RunOutput output{outcome.input, outcome.report};
   Diagram cells;
   if (!command.targets.cells.empty()) {
-    CellsOptions how{};
-    how.domain = options.domain;
-    how.periodic = options.periodic;
-    how.search = options.search;
-    auto found = options.surface == Surface::free ? freeCells(session, outcome.state.sites, how)
-                                                  : session.cells(outcome.state.sites, how);
+    auto found = cellsWith(options.surface, *run.session, sites, cellsOptionsOf(options));
     if (!found) return tl::unexpected(std::move(found.error()));
     cells = std::move(*found);
   }
-  std::vector<Writer> writers;
   for (const auto& target : command.targets.points) {
-    writers.emplace_back([&, format = target.format](ByteSink& to) {
-      return writePoints(to, {outcome.state.sites}, *format);
-    });
+    output.writers.emplace_back(
+        [&, format = target.format](ByteSink& to) { return writePoints(to, {sites}, *format); });
   }
   for (const CellsTarget& target : command.targets.cells) {
-    writers.emplace_back([&, format = target.format](ByteSink& to) {
-      return writeCells(to, {outcome.state.sites, cells}, *format);
+    output.writers.emplace_back([&, format = target.format](ByteSink& to) {
+      return writeCells(to, {sites, cells}, *format);
     });
   }
-  const auto json = [&] {
-    Input input{};
-    input.sites = outcome.state.sites;
-    input.domain = options.domain;
-    input.periodic = options.periodic;
-    Stats stats{"fluid", input, outcome.report, log, watch.milliseconds(), total.milliseconds(), forecast};
-    stats.fluid = FluidFigures{std::string(nameOf(options.scheme)),
-                               std::string(endWordOf(outcome.end)),
-                               outcome.first,
-                               outcome.last,
-                               outcome.worst,
-                               outcome.drift,
-                               outcome.epsilon};
-    return statsJson(stats);
+  output.figures = [&](nlohmann::ordered_json& json) {
+    const FluidStep &first = outcome.first, &last = outcome.last;
+    nlohmann::ordered_json epsilon;
+    if (options.scheme == FluidScheme::springs) epsilon = outcome.epsilon;
+    json["fluid"] = {{"scheme", nameOf(options.scheme)},
+                     {"epsilon", epsilon},
+                     {"end", endWordOf(outcome.end)},
+                     {"step", {first.step, last.step}},
+                     {"time", {first.time, last.time}},
+                     {"kinetic", {first.kinetic, last.kinetic}},
+                     {"potential", {first.potential, last.potential}},
+                     {"spring", {first.spring, last.spring}},
+                     {"energy", {first.energy(), last.energy()}},
+                     {"energy_drift", outcome.drift},
+                     {"momentum", {last.momentum.x, last.momentum.y}},
+                     {"worst_area", outcome.worst},
+                     {"farthest", {first.farthest, last.farthest}}};
   };
-  return writeOutputs(files, writers, log, json);
+  return run.write(output);
 }
 
 std::string fluidSummary(const FluidOutcome& outcome, const FluidOptions& options) {
   const FluidStep &first = outcome.first, &last = outcome.last;
   return fmt::format(
       "{} cells by {}, time {:.6g} after {} steps ({}), energy {:.6g} to {:.6g}, areas within {:.1e}",
-      outcome.state.sites.size(), nameOf(options.scheme), last.time, last.step - first.step,
+      outcome.input.sites.size(), nameOf(options.scheme), last.time, last.step - first.step,
       endWordOf(outcome.end), first.energy(), last.energy(), outcome.worst);
 }
 
@@ -227,48 +282,36 @@ ExitCode exitFor(const FluidOutcome& outcome) {
   return exit_different;
 }
 
-Result<ExitCode> fluid(FluidCommand& command, const Invocation& how) {
-  setDriverThreads(command.backend.threads);
-  const Stopwatch total;
-  RunLog log(how, !command.targets.stats.empty());
-  log.search = command.search;
-  log.threads = command.backend.threads;
-  const FluidPlan plan{command.choices, command.targets, command.picture, command.memory_limit};
-  VORPIPE_TRY(forecastCase(plan));
+Result<ExitCode> fluid(const FluidCommand& command, const Invocation& how) {
+  CommandRun run("fluid", command, how, command.targets.paths());
+  VORPIPE_TRY(forecastCase(command));
   auto setup = setupOf(command.choices);
   if (!setup) return tl::unexpected(std::move(setup.error()));
-  VORPIPE_TRY(checkCommand(command, *setup, how));
+  VORPIPE_TRY(checkCommand(command, *setup, run));
   setup->options.search = command.search;
   setup->options.progress = untilSignal();
   const FluidOptions options = setup->options;
-  auto files = openOutputs(command.targets.paths());
-  if (!files) return tl::unexpected(std::move(files.error()));
-  VORPIPE_TRY(checkApart(command.targets, *files));
+  VORPIPE_TRY(run.createFiles());
+  VORPIPE_TRY(checkApart(command.targets, run.files));
   // A resumed run may write checkpoints to the file that it resumes from.
-  if (command.choices.resume.empty()) {
-    for (const std::string& path : {command.targets.checkpoint, command.targets.trace}) {
-      VORPIPE_TRY(checkNotRead(std::span(&path, 1)));
-    }
+  const bool is_resumed = !command.choices.resume.empty();
+  if (!is_resumed) {
+    VORPIPE_TRY(checkNotRead(std::array{command.targets.checkpoint, command.targets.trace}));
   }
   awaitResultOnSignals();
-  auto session = Session::open(command.backend);
-  if (!session) return tl::unexpected(std::move(session.error()));
-  log.choice = session->choice();
-  const auto forecast = forecastFluid(plan, *setup, session->device(), command.backend.threads);
+  VORPIPE_TRY(run.openSession());
+  const auto forecast = forecastFluid(command, *setup, run.session->device());
   if (!forecast) return asFluidOption(forecast.error(), command.choices);
-  auto record = FluidRecord::open(command.targets, command.picture,
-                                  command.choices.resume.empty() ? nullptr : &setup->state);
+  run.forecast = *forecast;
+  auto record = FluidRecord::open(command.targets, command.picture, is_resumed ? &setup->state : nullptr);
   if (!record) return tl::unexpected(std::move(record.error()));
-  const auto outcome = flow(command, *session, std::move(*setup), *record, log);
+  const auto outcome = flow(command, run, std::move(*setup), *record);
   if (!outcome) return tl::unexpected(std::move(outcome.error()));
   takeSignal();
   printNotes(command.talk, withNewNotes(outcome->report, outcome->told));
   if (!validationIsSilent(outcome->report)) return exit_device;
-  VORPIPE_TRY(writeFiles(command, options, *session, *outcome, *files, log, *forecast, total));
-  printSummary(command.talk, command.targets.paths(),
-               fmt::format("{}, {}\n", fluidSummary(*outcome, options),
-                           runText(outcome->report, total.milliseconds(), false)));
-  if (command.talk.verbose && !log.choice.empty()) printNote(log.choice);
+  VORPIPE_TRY(writeFiles(command, run, options, *outcome));
+  run.printSummary(fluidSummary(*outcome, options), outcome->report);
   return exitFor(*outcome);
 }
 
@@ -287,12 +330,7 @@ void addFluid(CommandLine& line) {
   addColorOptions(options, command->picture.render);
   addFlowColor(options, command->targets.color);
   addMarkOptions(options, command->picture);
-  addBackendChoice(options, command->backend);
-  addSearchOptions(options, command->search);
-  addRunOptions(options, command->backend, command->memory_limit);
-  options.group("Output");
-  addStats(options, command->targets.stats);
-  addTalkOptions(options, command->talk, command->backend.waiting);
+  addCommonOptions(options, *command);
 }
 
 }  // namespace vorpipe::cli

@@ -5,10 +5,8 @@
 #include <exception>
 #include <new>
 
-#include "cli/abrupt_end.h"
 #include "cli/commands/command.h"
 #include "cli/kept_memory.h"
-#include "cli/manual/examples.h"
 #include "cli/manual/manual.h"
 #include "cli/options/error_line.h"
 #include "cli/options/options.h"

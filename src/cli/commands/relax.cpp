@@ -1,50 +1,30 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
+#include <functional>
+#include <iterator>
 #include <memory>
-#include <numeric>
+#include <nlohmann/json.hpp>
 
-#include "base/stopwatch.h"
 #include "base/try.h"
-#include "bench/driver_threads.h"
 #include "cli/commands/command.h"
-#include "cli/drawn_input.h"
-#include "cli/forecast.h"
-#include "cli/input.h"
-#include "cli/options/density_options.h"
 #include "cli/options/error_line.h"
-#include "cli/options/options.h"
-#include "cli/options/picture_options.h"
-#include "cli/options/result_outputs.h"
 #include "cli/progress.h"
 #include "cli/result_files.h"
-#include "cli/run_end.h"
-#include "cli/stats.h"
 #include "io/base/error.h"
 #include "io/base/number.h"
 #include "io/base/quoted.h"
-#include "io/cells/forecast_files.h"
-#include "vorpipe/stipple.h"
 
 namespace vorpipe::cli {
 namespace {
 
-struct RelaxCommand {
-  InputOptions input;
-  BackendOptions backend;
-  TalkOptions talk;
-  SearchOptions search;
-  PictureOptions picture;
+struct RelaxCommand : SitesOptions {
   RelaxMethod method = RelaxMethod::lbfgs;
   std::uint64_t iterations = 50;
   double tolerance = 0;
   bool equal_masses = false;
-  ResultTargets targets;
-  DensityOptions density;
-  std::string stats;
-  std::optional<std::uint64_t> memory_limit;
 };
 
 std::vector<std::string> methodNames() { return {"lbfgs", "lloyd"}; }
@@ -62,54 +42,22 @@ Parsed<double> parseMoveTolerance(std::string_view text) {
   return tl::unexpected(fmt::format("{} is not a number of 0 or more", *number));
 }
 
-/// Returns the requested output files, in the order in which they are created.
-std::vector<std::string> outputPaths(const RelaxCommand& command) {
-  return command.targets.pathsWith({command.targets.trace, command.stats});
-}
-
 std::string_view endWordOf(RelaxEnd end) {
   constexpr std::array<std::string_view, 4> words{"iterations", "tolerance", "stagnated", "cancelled"};
   return words[static_cast<std::size_t>(end)];
 }
 
-/// Returns the memory plan of a run: sites and steps besides the cells of a diagram, then files; `domain` if
-/// known.
-PlanRun planOf(const RelaxCommand& command, std::uint64_t density_pixels,
-               const std::optional<Box>& domain = {}) {
-  return [&command, density_pixels, domain](MemoryPlan& plan, Workload work) {
-    constexpr std::uint64_t number = sizeof(double), steps_of_newton = 14, others = 12;
-    work.density_pixels = density_pixels;
-    if (density_pixels > 0) planDensity(plan, density_pixels);
-    planSession(plan, work);
-    const auto since = plan.next();
-    const bool newton = command.method == RelaxMethod::lbfgs;
-    plan.take("sites that move", (others + (newton ? steps_of_newton : 0)) * 2 * number * work.sites);
-    plan.drop(planCells(plan, work, Detail::polygons));
-    plan.dropSince(since);
-    planFiles(plan, work, command.targets, command.picture, domain);
-  };
-}
-
-/// A run in progress.
-struct RelaxRun {
-  const RelaxCommand& command;
-  ResultJob job;
-  RunLog& log;
-  std::vector<OutputFile> files{};
-};
-
-/// Writes the numbered files of a diagram.
-Result<void> saveNumbered(RelaxRun& run, Session& session, const Relaxation& relaxation) {
-  const auto parts = partsOf(session, run.job, relaxation.sites());
-  if (!parts) return tl::unexpected(parts.error());
-  const auto paths = run.job.targets.numberedPaths(relaxation.trace().back().diagram);
-  auto numbered = createOutputs(paths, run.files);
-  if (!numbered) return tl::unexpected(std::move(numbered.error()));
-  const auto writers = writersOf(run.job, *parts);
-  for (std::size_t k = 0; k < writers.size(); ++k) {
-    VORPIPE_TRY(run.log.noteOutput((*numbered)[k], writers[k]));
-  }
-  return commitAll(*numbered);
+/// Plans the memory of a run: sites and steps besides the cells of a diagram, then files.
+void planRelaxation(const RelaxCommand& command, const SitesRun& run, MemoryPlan& plan, Workload work) {
+  constexpr std::uint64_t number = sizeof(double), steps_of_newton = 14, others = 12;
+  run.planDensityOf(plan, work);
+  planSession(plan, work);
+  const auto since = plan.next();
+  const bool newton = command.method == RelaxMethod::lbfgs;
+  plan.take("sites that move", (others + (newton ? steps_of_newton : 0)) * 2 * number * work.sites);
+  plan.drop(planCells(plan, work, Detail::polygons));
+  plan.dropSince(since);
+  run.planFiles(plan, work);
 }
 
 /// Returns e.g. "relax 12/50, 1.0334".
@@ -119,34 +67,12 @@ std::string progressText(std::uint64_t diagram, const RelaxStep& step, std::uint
                                        : fmt::format("{}, {:.6g}", at, step.energy);
 }
 
-Result<Relaxed> relaxIn(RelaxRun& run, Session& session, RelaxOptions options) {
-  ProgressBar bar(run.command.talk.quiet);
-  const std::uint64_t every = run.job.targets.every;
-  const auto whole = static_cast<double>(std::max<std::uint64_t>(options.iterations, 1));
-  const auto iterations = options.iterations;
-  auto relaxation = Relaxation::begin(session, run.job.input.sites, std::move(options));
-  if (!relaxation) return tl::unexpected(std::move(relaxation.error()));
-  Result<bool> more = true;
-  while (more && *more) {
-    const std::uint64_t diagram = relaxation->trace().back().diagram;
-    bar.show(progressText(diagram, lastTaken(relaxation->trace()), iterations),
-             static_cast<double>(diagram) / whole);
-    if (every > 0 && diagram % every == 0) {
-      VORPIPE_TRY(saveNumbered(run, session, *relaxation));
-    }
-    more = relaxation->step();
-  }
-  if (!more) return tl::unexpected(more.error());
-  return Relaxed{relaxation->sites(), relaxation->trace(), relaxation->end(), relaxation->report()};
-}
-
-/// Returns the options of the relaxation, except the progress.
-RelaxOptions relaxOptions(const RelaxCommand& command, const Input& input, const Density& density) {
+RelaxOptions relaxOptions(const RelaxCommand& command, const SitesRun& run) {
   RelaxOptions options{};
-  options.domain = input.domain;
-  options.outline = input.outline;
-  options.periodic = input.periodic;
-  options.density = density;
+  options.domain = run.input->domain;
+  options.outline = run.input->outline;
+  options.periodic = run.input->periodic;
+  options.density = run.density.density;
   options.equal_masses = command.equal_masses;
   options.search = command.search;
   options.method = command.method;
@@ -154,6 +80,27 @@ RelaxOptions relaxOptions(const RelaxCommand& command, const Input& input, const
   options.tolerance = command.tolerance;
   options.progress = untilSignal();
   return options;
+}
+
+/// Makes the diagrams, and writes the numbered files among them.
+Result<Relaxed> relaxSites(const RelaxCommand& command, SitesRun& run) {
+  ProgressBar bar(command.talk.quiet);
+  const std::uint64_t every = command.targets.every, iterations = command.iterations;
+  const auto whole = static_cast<double>(std::max<std::uint64_t>(iterations, 1));
+  auto relaxation = Relaxation::begin(*run.session, run.input->sites, relaxOptions(command, run));
+  if (!relaxation) return tl::unexpected(std::move(relaxation.error()));
+  Result<bool> more = true;
+  while (more && *more) {
+    const std::uint64_t diagram = relaxation->trace().back().diagram;
+    bar.show(progressText(diagram, lastTaken(relaxation->trace()), iterations),
+             static_cast<double>(diagram) / whole);
+    if (every > 0 && diagram % every == 0) {
+      VORPIPE_TRY(run.writeNumbered(relaxation->sites(), diagram));
+    }
+    more = relaxation->step();
+  }
+  if (!more) return tl::unexpected(more.error());
+  return Relaxed{relaxation->sites(), relaxation->trace(), relaxation->end(), relaxation->report()};
 }
 
 std::string relaxSummary(const Relaxed& relaxed) {
@@ -165,39 +112,40 @@ std::string relaxSummary(const Relaxed& relaxed) {
   return text + fmt::format(" after {} diagrams ({})", relaxed.trace.back().diagram, endWordOf(relaxed.end));
 }
 
-Result<void> writeFiles(RelaxRun& run, Session& session, const Relaxed& relaxed, std::uint64_t forecast,
-                        const Stopwatch& total) {
-  const Stopwatch watch;
-  const auto parts = partsOf(session, run.job, relaxed.sites);
-  if (!parts) return tl::unexpected(parts.error());
-  std::vector<Writer> writers = writersOf(run.job, *parts);
-  if (!run.job.targets.trace.empty()) {
-    writers.emplace_back([&](ByteSink& to) {
-      run.log.noteTimeless(traceText(relaxed.trace, false));
-      return to.write(traceText(relaxed.trace, true));
-    });
+/// Returns the rows of --trace; without `with_times`, only what is the same in every run.
+std::string traceText(const std::vector<RelaxStep>& trace, bool with_times) {
+  std::string text = "diagram,energy,hexagonal,farthest,seconds,taken\n";
+  const auto to = std::back_inserter(text);
+  for (const RelaxStep& step : trace) {
+    fmt::format_to(to, "{},{},", step.diagram, step.energy);
+    if (std::isfinite(step.hexagonal)) fmt::format_to(to, "{}", step.hexagonal);
+    fmt::format_to(to, ",{},", step.farthest);
+    if (with_times) fmt::format_to(to, "{:.6f}", step.seconds);
+    text += step.taken ? ",1\n" : ",0\n";
   }
-  const auto json = [&] {
-    Stats stats{"relax", run.job.input, relaxed.report, run.log, watch.milliseconds(), total.milliseconds(),
-                forecast};
-    if (parts->cells) stats.area_sum = areaSum(*parts->cells);
-    if (parts->cells && !parts->cells->mass.empty()) {
-      stats.mass_sum = std::accumulate(parts->cells->mass.begin(), parts->cells->mass.end(), 0.0);
-    }
-    stats.relaxation = RelaxFigures{run.command.method == RelaxMethod::lloyd ? "lloyd" : "lbfgs",
-                                    std::string(endWordOf(relaxed.end)), relaxed.trace.size(),
-                                    relaxed.trace.front(), lastTaken(relaxed.trace)};
-    return statsJson(stats);
+  return text;
+}
+
+Result<void> writeFiles(const RelaxCommand& command, SitesRun& run, const Relaxed& relaxed) {
+  RunOutput output{*run.input, relaxed.report};
+  if (!command.targets.trace.empty())
+    output.writers.push_back(traceWriter(run.log, relaxed.trace, traceText));
+  output.figures = [&](nlohmann::ordered_json& json) {
+    const RelaxStep &first = relaxed.trace.front(), &last = lastTaken(relaxed.trace);
+    // With weights there is no reference to compare with: the dump writes null for what is not finite.
+    json["relaxation"] = {{"method", methodNames()[command.method == RelaxMethod::lloyd ? 1 : 0]},
+                          {"diagrams", relaxed.trace.size()},
+                          {"end", endWordOf(relaxed.end)},
+                          {"energy", {first.energy, last.energy}},
+                          {"hexagonal", {first.hexagonal, last.hexagonal}},
+                          {"farthest", {first.farthest, last.farthest}}};
   };
-  return writeOutputs(run.files, writers, run.log, json);
+  return run.write(relaxed.sites, std::move(output));
 }
 
 /// Rejects options that nothing uses, and sets the format of standard output.
-Result<void> checkCommand(RelaxCommand& command, const Invocation& how) {
-  if (outputPaths(command).empty() && how.stats == nullptr) {
-    return inputError(
-        "-o: name what to write, as in -o sites.csv (or give --cells, --picture, --trace or --stats)");
-  }
+Result<void> checkCommand(RelaxCommand& command, const SitesRun& run) {
+  VORPIPE_TRY(run.needsOutput("sites.csv", "--cells, --picture, --trace or --stats"));
   if (command.equal_masses && command.density.empty()) {
     return inputError("--equal-masses: is for a --density; without one masses are areas");
   }
@@ -205,46 +153,21 @@ Result<void> checkCommand(RelaxCommand& command, const Invocation& how) {
 }
 
 Result<ExitCode> relax(RelaxCommand& command, const Invocation& how) {
-  setDriverThreads(command.backend.threads);
-  const Stopwatch total;
-  RunLog log(how, !command.stats.empty());
-  log.search = command.search;
-  log.threads = command.backend.threads;
-  VORPIPE_TRY(checkCommand(command, how));
-  const auto density = densityOf(command.density);
-  if (!density) return tl::unexpected(density.error());
-  InputOptions reading = command.input;
-  reading.reading.attributes = command.targets.carryAttributes();
-  const auto input = inputUnder(*density, command.density, reading,
-                                planOf(command, density->density.values.size()), command.memory_limit);
-  if (!input) return tl::unexpected(input.error());
-  RelaxOptions options = relaxOptions(command, *input, density->density);
-  const ResultJob job{command.targets,  reading,        command.picture,        *input,
-                      density->density, command.search, command.backend.threads};
-  VORPIPE_TRY(checkBefore(job));
-  printNotes(command.talk, *input);
-  const auto paths = outputPaths(command);
-  auto files = openOutputs(paths);
-  if (!files) return tl::unexpected(std::move(files.error()));
-  awaitResultOnSignals();
-  auto session = Session::open(command.backend);
-  if (!session) return tl::unexpected(std::move(session.error()));
-  log.choice = session->choice();
-  const auto forecast =
-      forecastRun(reading, *input, ImagesFor::cells, session->device(), command.backend,
-                  planOf(command, density->density.values.size(), input->domain), command.memory_limit);
-  if (!forecast) return tl::unexpected(forecast.error());
-  RelaxRun run{command, job, log, std::move(*files)};
-  const auto relaxed = relaxIn(run, *session, std::move(options));
-  if (!relaxed) return asOption(relaxed.error(), reading);
+  SitesRun run("relax", command, how, command.targets.pathsWith({command.targets.trace}));
+  VORPIPE_TRY(checkCommand(command, run));
+  run.source.reading.attributes = command.targets.carryAttributes();
+  const PlanRun plan = std::bind_front(planRelaxation, std::cref(command), std::cref(run));
+  VORPIPE_TRY(run.load(plan));
+  VORPIPE_TRY(run.begin(plan));
+  const auto relaxed = relaxSites(command, run);
+  if (!relaxed) return asOption(relaxed.error(), run.source);
   const bool interrupted = takeSignal();
   printNotes(command.talk, relaxed->report);
   if (!validationIsSilent(relaxed->report)) return exit_device;
-  VORPIPE_TRY(writeFiles(run, *session, *relaxed, *forecast, total));
-  printSummary(command.talk, paths,
-               fmt::format("{}, {}, {}\n", outcomeText(paths, relaxed->sites, relaxed->report),
-                           relaxSummary(*relaxed), runText(relaxed->report, total.milliseconds(), false)));
-  if (command.talk.verbose && !log.choice.empty()) printNote(log.choice);
+  VORPIPE_TRY(writeFiles(command, run, *relaxed));
+  run.printSummary(
+      fmt::format("{}, {}", run.outcome(relaxed->sites, relaxed->report), relaxSummary(*relaxed)),
+      relaxed->report);
   if (!interrupted) return exit_done;
   printError(
       fmt::format("interrupted: the files have the sites after {} diagrams", relaxed->trace.back().diagram));
@@ -253,11 +176,10 @@ Result<ExitCode> relax(RelaxCommand& command, const Invocation& how) {
 
 void addMethodOptions(Options& options, RelaxCommand& command) {
   options.group("Relaxation");
-  addParsed(
-      options, "--method", command.method, "NAME",
-      "how sites move: lbfgs, which comes as far in 30 diagrams as Lloyd's steps in 200; or lloyd, each to "
-      "the centroid of its cell [lbfgs]",
-      parseMethod, {methodNames(), {}});
+  addParsed(options, "--method", command.method, "NAME",
+            "how sites move: lbfgs, which comes as far in 30 diagrams as Lloyd's steps in 200; or lloyd, "
+            "each to the centroid of its cell [lbfgs]",
+            parseMethod, {methodNames(), {}});
   addParsed(options, "--iterations", command.iterations, "N",
             "the most diagrams to compute after the first [50]",
             [](std::string_view text) { return parseWhole(text, 0, UINT32_MAX); });
@@ -269,8 +191,8 @@ void addMethodOptions(Options& options, RelaxCommand& command) {
                     "sites gather where it is high. --sites density:N draws N sites from it, as dense as it "
                     "is, in the box of its pixels where no --domain is named");
   options.addFlag("--equal-masses", command.equal_masses,
-                  "relaxes under the square of the density: then cells get equal masses, as stippling "
-                  "wants it; else sites are as dense as its square root");
+                  "relaxes under the square of the density: then cells get equal masses, as stippling wants "
+                  "it; else sites are as dense as its square root");
 }
 
 }  // namespace
@@ -285,12 +207,7 @@ void addRelax(CommandLine& line) {
   options.group("Output");
   addRelaxTargets(options, command->targets);
   addPictureGroup(options, command->picture);
-  addBackendChoice(options, command->backend);
-  addSearchOptions(options, command->search);
-  addRunOptions(options, command->backend, command->memory_limit);
-  options.group("Output");
-  addStats(options, command->stats);
-  addTalkOptions(options, command->talk, command->backend.waiting);
+  addCommonOptions(options, *command);
 }
 
 }  // namespace vorpipe::cli

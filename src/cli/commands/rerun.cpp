@@ -11,8 +11,8 @@
 #include "cli/commands/command.h"
 #include "cli/options/error_line.h"
 #include "cli/options/options.h"
-#include "cli/recorded_run.h"
-#include "cli/run_end.h"
+#include "cli/run.h"
+#include "cli/stats.h"
 #include "io/base/error.h"
 #include "io/base/input_file.h"
 #include "io/base/quoted.h"
@@ -27,6 +27,16 @@ struct RerunCommand {
 };
 
 using File = std::unique_ptr<std::FILE, int (*)(std::FILE*)>;
+
+/// Reads a file of --stats. Errors: those of recordedRun and InputFile.
+Result<RecordedRun> readRecordedRun(const std::string& path) {
+  auto file = InputFile::open(path);
+  if (!file) return tl::unexpected(std::move(file.error()));
+  constexpr std::size_t most = std::size_t{1} << 24;
+  const auto text = readText(*file, most);
+  if (!text) return tl::unexpected(text.error());
+  return recordedRun(file->name(), *text);
+}
 
 /// Returns the arguments of the run, except --stats: its file is kept as evidence.
 Result<std::vector<std::string>> argumentsAgain(const RerunCommand& command, const DeclaredProgram& program,
@@ -84,11 +94,10 @@ Result<void> checkInputs(const RerunCommand& command, const RecordedRun& run) {
     const auto now = file.path == "-" ? keepStandardInput() : contentsOf(file.path);
     if (!now) return tl::unexpected(now.error());
     if (*now == file.contents) continue;
-    changed.push_back(
-        fmt::format("{}: has changed since the run that {} tells of: {} bytes, hash {}, not {} "
-                    "bytes, hash {}",
-                    file.path == "-" ? "<stdin>" : file.path, command.stats, now->bytes, now->xxh128,
-                    file.contents.bytes, file.contents.xxh128));
+    changed.push_back(fmt::format(
+        "{}: has changed since the run that {} tells of: {} bytes, hash {}, not {} bytes, hash {}",
+        file.path == "-" ? "<stdin>" : file.path, command.stats, now->bytes, now->xxh128, file.contents.bytes,
+        file.contents.xxh128));
   }
   if (changed.empty()) return {};
   return inputError(fmt::to_string(fmt::join(changed, "; ")));

@@ -9,7 +9,6 @@
 
 #include "base/try.h"
 #include "bench/driver_threads.h"
-#include "cli/abrupt_end.h"
 #include "cli/commands/command.h"
 #include "cli/drawing.h"
 #include "cli/forecast.h"
@@ -19,8 +18,7 @@
 #include "cli/options/options.h"
 #include "cli/options/picture_options.h"
 #include "cli/progress.h"
-#include "cli/run_end.h"
-#include "cli/view_fluid.h"
+#include "cli/run.h"
 #include "cli/view_input.h"
 #include "io/base/error.h"
 #include "io/base/quoted.h"

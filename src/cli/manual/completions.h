@@ -2,8 +2,6 @@
 #pragma once
 
 #include <string>
-#include <string_view>
-#include <vector>
 
 #include "cli/options/declared.h"
 
@@ -13,7 +11,7 @@ std::string bashCompletions(const DeclaredProgram& program);
 std::string zshCompletions(const DeclaredProgram& program);
 std::string fishCompletions(const DeclaredProgram& program);
 
-/// Joins words with blanks.
-std::string spaced(const std::vector<std::string>& words);
+/// Returns the start of a description: up to its first `:`, `;`, `[` or the end of its first sentence.
+std::string briefly(const std::string& description);
 
 }  // namespace vorpipe::cli

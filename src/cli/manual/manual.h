@@ -15,4 +15,7 @@ namespace vorpipe::cli {
 /// neither. Errors (input): no such subcommand or shell, or further arguments.
 std::optional<Result<std::string>> manualAsked(const CommandLine& line, std::span<char* const> arguments);
 
+/// Adds each subcommand's examples to the end of its help, and the first one to the program's help.
+void addExamples(CommandLine& line);
+
 }  // namespace vorpipe::cli

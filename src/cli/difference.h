@@ -1,8 +1,10 @@
-/// Pictures that show where two images differ.
+/// Differences of two images: as pictures, in words and as JSON.
 #pragma once
 
 #include <cstdint>
+#include <nlohmann/json_fwd.hpp>
 #include <span>
+#include <string>
 #include <vector>
 
 #include "vorpipe.h"
@@ -27,5 +29,13 @@ void markDifferences(Picture& picture, std::span<const PixelMatch> pixels);
 
 /// Copies `from` into `to` with its top left corner at (row, column), where it must fit.
 void paste(Picture& to, const Picture& from, int row, int column);
+
+/// Describes a place: "row 3, column 4: sites 7 and 9, 1.25 px from their bisector".
+std::string placeText(const IdDifference& place);
+
+/// Describes a disagreement in one line: the count and the first place.
+std::string disagreementText(const IdDiff& diff);
+
+nlohmann::ordered_json diffJson(const IdDiff& diff);
 
 }  // namespace vorpipe::cli
