@@ -71,7 +71,7 @@ set(users
     "^base/geos\\.h$"
     "^(domain/(geos_outline|hull|mended|repaired|validity)|io/cells/cells_mesh)\\."
     "^domain/"
-    "^cli/options/(command_line|help_format)\\.cpp$"
+    "^cli/options/command_line\\.cpp$"
     "^base/parallel\\.cpp$"
     "^motion/linear/laplacian\\.cpp$"
     "^backend/")

@@ -3,11 +3,13 @@
 #include <fmt/core.h>
 #include <pybind11/pybind11.h>
 
-#include <array>
 #include <exception>
 #include <new>
 #include <string>
 #include <utility>
+#include <vector>
+
+#include "base/option_rows.h"
 
 namespace vorpipe::python {
 namespace {
@@ -42,22 +44,11 @@ std::string_view argumentOf(Subject subject) {
 /// The argument whose name a message begins with, in the library's words; empty where it begins with none.
 /// The message gets the argument's name instead.
 std::string_view takeArgument(std::string& message) {
-  using Name = std::pair<std::string_view, std::string_view>;
-  constexpr std::array<Name, 14> names = {{{"color scale", "color_scale"},
-                                           {"color range", "color_range"},
-                                           {"color", "color"},
-                                           {"legend", "legend"},
-                                           {"edge width", "edge_width"},
-                                           {"dot size", "dot_size"},
-                                           {"label size", "label_size"},
-                                           {"antialias", "antialias"},
-                                           {"domain", "domain"},
-                                           {"outline", "outline"},
-                                           {"margin", "margin"},
-                                           {"repair", "repair"},
-                                           {"project", "project"},
-                                           {"periodic", "periodic"}}};
-  for (const auto& [words, argument] : names) {
+  std::vector<std::string_view> arguments{"color_scale", "color_range", "color",  "legend",  "domain",
+                                          "outline",     "margin",      "repair", "project", "periodic"};
+  forEachRow(picture_rows, [&](const auto& row) { arguments.emplace_back(row.name); });
+  for (const std::string_view argument : arguments) {
+    const std::string words = nameWith(' ', std::string(argument));
     if (!message.starts_with(words) || message.size() == words.size()) continue;
     const std::string_view rest = std::string_view(message).substr(words.size());
     const std::size_t separator = rest.starts_with(": ") ? 2 : rest.starts_with(' ') ? 1 : 0;

@@ -5,8 +5,10 @@
 
 #include <array>
 #include <string>
+#include <type_traits>
 #include <utility>
 
+#include "base/option_rows.h"
 #include "choices.h"
 #include "results.h"
 
@@ -17,17 +19,26 @@ struct Colors {
   std::string by, map;
   std::optional<std::string> scale;
   std::optional<std::pair<double, double>> range;
-  bool legend;
+  bool legend, fill;
 };
 
-struct Marks {
-  bool edges, show_sites, dual, labels, fill;
-  double edge_width, dot_size, label_size;
-  int antialias;
-};
+/// Flags and sizes by the names of picture_rows; those that are left out keep their defaults.
+void takeMarks(const py::dict& marks, RenderOptions& options) {
+  forEachRow(picture_rows, [&](const auto& row) {
+    auto& option = options.*row.member;
+    if (marks.contains(row.name)) option = marks[row.name].template cast<std::decay_t<decltype(option)>>();
+  });
+}
+
+/// The default of each of them.
+py::dict usualMarks() {
+  py::dict marks;
+  forEachRow(picture_rows, [&](const auto& row) { marks[row.name] = RenderOptions{}.*row.member; });
+  return marks;
+}
 
 Look lookOf(const std::optional<std::pair<int, int>>& size, const std::optional<std::string>& fit,
-            const Colors& colors, const Marks& marks, const std::string& search, int neighbors,
+            const Colors& colors, const py::dict& marks, const std::string& search, int neighbors,
             const std::optional<std::array<double, 4>>& view) {
   Look look;
   if (size) look.size = PictureSize{size->first, size->second};
@@ -38,15 +49,8 @@ Look lookOf(const std::optional<std::pair<int, int>>& size, const std::optional<
   if (colors.scale) options.color_scale = chosen("color_scale", scale_choices, *colors.scale);
   if (colors.range) options.color_range = ColorRange{colors.range->first, colors.range->second};
   options.legend = colors.legend;
-  options.edges = marks.edges;
-  options.show_sites = marks.show_sites;
-  options.dual = marks.dual;
-  options.labels = marks.labels;
-  options.fill = marks.fill;
-  options.edge_width = marks.edge_width;
-  options.dot_size = marks.dot_size;
-  options.label_size = marks.label_size;
-  options.antialias = marks.antialias;
+  options.fill = colors.fill;
+  takeMarks(marks, options);
   options.search = {chosen("search", search_choices, search), neighbors};
   if (view) options.view = Box{(*view)[0], (*view)[1], (*view)[2], (*view)[3]};
   return look;
@@ -69,18 +73,11 @@ RenderOptions renderOptionsOf(const Look& look, const Input& input) {
 void defineLook(py::module_& module) {
   py::class_<Colors>(module, "Colors", "How cells are colored.")
       .def(py::init([](const std::string& by, const std::string& map, const std::optional<std::string>& scale,
-                       const std::optional<std::pair<double, double>>& range, bool legend) {
-             return Colors{by, map, scale, range, legend};
-           }),
-           py::arg("by"), py::arg("map"), py::arg("scale"), py::arg("range"), py::arg("legend"));
-  py::class_<Marks>(module, "Marks", "What is drawn over cells.")
-      .def(py::init([](bool edges, bool show_sites, bool dual, bool labels, bool fill, double edge_width,
-                       double dot_size, double label_size, int antialias) {
-             return Marks{edges, show_sites, dual, labels, fill, edge_width, dot_size, label_size, antialias};
-           }),
-           py::kw_only(), py::arg("edges"), py::arg("show_sites"), py::arg("dual"), py::arg("labels"),
-           py::arg("fill"), py::arg("edge_width"), py::arg("dot_size"), py::arg("label_size"),
-           py::arg("antialias"));
+                       const std::optional<std::pair<double, double>>& range, bool legend,
+                       bool fill) { return Colors{by, map, scale, range, legend, fill}; }),
+           py::arg("by"), py::arg("map"), py::arg("scale"), py::arg("range"), py::arg("legend"),
+           py::arg("fill"));
+  module.attr("MARKS") = usualMarks();
   py::class_<Look>(module, "Look", "How a picture is to look.")
       .def(py::init(&lookOf), py::arg("size"), py::arg("fit"), py::arg("colors"), py::arg("marks"),
            py::arg("search"), py::arg("neighbors"), py::arg("view"));

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "attributes.h"
+#include "base/option_rows.h"
 #include "input.h"
 #include "pickles.h"
 #include "results.h"
@@ -251,19 +252,22 @@ struct Members<ColorKey> {
 };
 static_assert(has_all_members<ColorKey>());
 
+/// The members that have rows.
+template <class... Row>
+constexpr auto membersOf(const std::tuple<Row...>& rows) {
+  return std::apply([](const auto&... row) { return named(member(row.name, row.member)...); }, rows);
+}
+
 template <>
 struct Members<RenderOptions> {
-  static constexpr auto all =
+  static constexpr auto all = std::tuple_cat(
       named(member("width", &RenderOptions::width), member("height", &RenderOptions::height),
             member("color", &RenderOptions::color), member("colormap", &RenderOptions::colormap),
-            member("edges", &RenderOptions::edges), member("show_sites", &RenderOptions::show_sites),
             member("search", &RenderOptions::search), member("color_scale", &RenderOptions::color_scale),
             member("color_range", &RenderOptions::color_range), member("legend", &RenderOptions::legend),
-            member("edge_width", &RenderOptions::edge_width), member("dot_size", &RenderOptions::dot_size),
             member("fit", &RenderOptions::fit), member("view", &RenderOptions::view),
-            member("fill", &RenderOptions::fill), member("antialias", &RenderOptions::antialias),
-            member("dual", &RenderOptions::dual), member("labels", &RenderOptions::labels),
-            member("label_size", &RenderOptions::label_size));
+            member("fill", &RenderOptions::fill)),
+      membersOf(picture_rows));
 };
 static_assert(has_all_members<RenderOptions>(4));  // the progress is the run's, the others are the input's
 

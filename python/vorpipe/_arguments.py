@@ -2,7 +2,7 @@
 from __future__ import annotations
 
 import os
-from typing import Any, List, Mapping, Optional, Sequence, Tuple, Union, cast
+from typing import Any, Dict, List, Mapping, Optional, Sequence, Tuple, Union, cast
 
 import numpy as np
 import numpy.typing as npt
@@ -132,22 +132,30 @@ def range_of(value: Optional[Sequence[float]]) -> Optional[Tuple[float, float]]:
     return low, high
 
 
-def look_of(size: Optional[Sequence[int]], color: str, colormap: str, edges: bool, show_sites: bool,
-            color_scale: Optional[str], color_range: Optional[Sequence[float]], legend: bool, edge_width: float,
-            dot_size: Optional[float], fit: Optional[str], search: Any, antialias: int, dual: bool, labels: bool,
-            label_size: float, fill: bool, view: Optional[Sequence[float]]) -> _vorpipe.Look:
+def marks_of(given: Mapping[str, Any]) -> Dict[str, Union[bool, float]]:
+    """The flags and sizes of a picture's marks, each of the type of its default; None stands for a dot's size."""
+    marks: Dict[str, Union[bool, float]] = {}
+    for name, usual in _vorpipe.MARKS.items():
+        value = given.get(name, usual)
+        if isinstance(usual, bool):
+            marks[name] = flag_of(name, value)
+        elif isinstance(usual, int):
+            marks[name] = whole_of(name, value, -2**31, 2**31 - 1)
+        else:
+            marks[name] = number_of(name, usual if name == 'dot_size' and value is None else value)
+    return marks
+
+
+def look_of(size: Optional[Sequence[int]], color: str, *, colormap: str = 'viridis', color_scale: Optional[str] = None,
+            color_range: Optional[Sequence[float]] = None, legend: bool = False, fit: Optional[str] = None,
+            search: Any = 'grid', fill: bool = True, view: Optional[Sequence[float]] = None,
+            **marks: Any) -> _vorpipe.Look:
     if colormap not in _vorpipe.colormaps():
         raise refuse('colormap', f'{colormap!r} is none of {", ".join(_vorpipe.colormaps())}')
     method, neighbors = search_of(search)
     colors = _vorpipe.Colors(text_of('color', color), colormap, text_or_none('color_scale', color_scale),
-                             range_of(color_range), flag_of('legend', legend))
-    marks = _vorpipe.Marks(edges=flag_of('edges', edges), show_sites=flag_of('show_sites', show_sites),
-                           dual=flag_of('dual', dual), labels=flag_of('labels', labels), fill=flag_of('fill', fill),
-                           edge_width=number_of('edge_width', edge_width),
-                           dot_size=0 if dot_size is None else number_of('dot_size', dot_size),
-                           label_size=number_of('label_size', label_size),
-                           antialias=whole_of('antialias', antialias, -2**31, 2**31 - 1))
-    return _vorpipe.Look(size_of(size), text_or_none('fit', fit), colors, marks, method, neighbors,
+                             range_of(color_range), flag_of('legend', legend), flag_of('fill', fill))
+    return _vorpipe.Look(size_of(size), text_or_none('fit', fit), colors, marks_of(marks), method, neighbors,
                          box_of(view, 'view'))
 
 

@@ -48,8 +48,7 @@ class Cell:
 
     @property
     def status(self) -> Status:
-        from ._diagram import Status
-        return Status(int(self._diagram.status[self.site]))
+        return self._diagram._status_of(self.site)
 
     @property
     def owner(self) -> int:

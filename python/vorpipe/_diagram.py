@@ -72,6 +72,9 @@ class Diagram(Kept):
         report = self.report
         return f'<vorpipe.Diagram: {report.ok} cells of {len(self)} points, {report.backend}>'
 
+    def _status_of(self, site: int) -> Status:
+        return Status(int(self.status[site]))
+
     def _needs(self, detail: str, name: str) -> None:
         details = ('measures', 'polygons', 'everything')
         if details.index(self.detail) < details.index(detail):

@@ -310,8 +310,8 @@ def forecast(points: Any, weights: Any = None, domain: Any = None, periodic: Uni
                      None if picture else density)
     count, flag = _arguments.threads_of(threads), _scalars.flag_of('check', check)
     if picture:
-        look = _arguments.look_of(wanted, color, 'viridis', edges, False, None, None, False, 1, None, None, 'grid',
-                                  antialias, dual, labels, label_size, True, None)
+        look = _arguments.look_of(wanted, color, edges=edges, antialias=antialias, dual=dual, labels=labels,
+                                  label_size=label_size)
         return Forecast(*_vorpipe.forecast_picture(session._session, taken, look, flag, count))
     return Forecast(*_vorpipe.forecast_cells(session._session, taken, _scalars.text_of('detail', detail), flag, count))
 

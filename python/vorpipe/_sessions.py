@@ -110,9 +110,10 @@ class Session:
                labels: bool = False, label_size: float = 10, fill: bool = True,
                view: Optional[Sequence[float]] = None, surface: Optional[str] = None) -> Picture:
         """As `vorpipe.render`."""
-        look = _arguments.look_of(size, color, colormap, edges, show_sites, color_scale, color_range, legend,
-                                  edge_width, dot_size, fit, search, antialias, dual, labels, label_size, fill,
-                                  view)
+        look = _arguments.look_of(size, color, colormap=colormap, color_scale=color_scale, color_range=color_range,
+                                  legend=legend, fit=fit, search=search, fill=fill, view=view, edges=edges,
+                                  show_sites=show_sites, dual=dual, labels=labels, edge_width=edge_width,
+                                  dot_size=dot_size, label_size=label_size, antialias=antialias)
         wanted = _arguments.domain_of(domain, outline, margin, repair, project)
         taken = input_of(points, weights, wanted, periodic, crs=crs, surface=surface)
         picture = Picture(self._session.render(taken, look, _scalars.call_of('progress', progress)))
@@ -130,9 +131,10 @@ class Session:
              antialias: int = 1, dual: bool = False, labels: bool = False, label_size: float = 10,
              fill: bool = True, view: Optional[Sequence[float]] = None, surface: Optional[str] = None) -> Diagram:
         """As `vorpipe.draw`."""
-        look = _arguments.look_of(size, color, colormap, edges, show_sites, color_scale, color_range, legend,
-                                  edge_width, dot_size, fit, search, antialias, dual, labels, label_size, fill,
-                                  view)
+        look = _arguments.look_of(size, color, colormap=colormap, color_scale=color_scale, color_range=color_range,
+                                  legend=legend, fit=fit, search=search, fill=fill, view=view, edges=edges,
+                                  show_sites=show_sites, dual=dual, labels=labels, edge_width=edge_width,
+                                  dot_size=dot_size, label_size=label_size, antialias=antialias)
         wanted = _arguments.domain_of(domain, outline, margin, repair, project)
         taken = input_of(points, weights, wanted, periodic, crs=crs, surface=surface)
         to = _scalars.path_of(path)

@@ -16,6 +16,7 @@ _NamedColumns = Tuple[Optional[int], Optional[int], Optional[int], Optional[int]
 _Mask = Tuple[List[str], List[Tuple[str, int]]]
 
 LARGEST_SIDE: int
+MARKS: Dict[str, Union[bool, float]]
 NO_SITE: int
 WALLS: Tuple[int, int, int, int, int]
 __version__: str
@@ -199,15 +200,12 @@ def bytes_of(cells: Cells, extension: str, only_cells: bool) -> bytes: ...
 
 class Colors:
     def __init__(self, by: str, map: str, scale: Optional[str], range: Optional[Tuple[float, float]],
-                 legend: bool) -> None: ...
-
-class Marks:
-    def __init__(self, *, edges: bool, show_sites: bool, dual: bool, labels: bool, fill: bool, edge_width: float,
-                 dot_size: float, label_size: float, antialias: int) -> None: ...
+                 legend: bool, fill: bool) -> None: ...
 
 class Look:
-    def __init__(self, size: Optional[Tuple[int, int]], fit: Optional[str], colors: Colors, marks: Marks, search: str,
-                 neighbors: int, view: Optional[Tuple[float, float, float, float]]) -> None: ...
+    def __init__(self, size: Optional[Tuple[int, int]], fit: Optional[str], colors: Colors,
+                 marks: Dict[str, Union[bool, float]], search: str, neighbors: int,
+                 view: Optional[Tuple[float, float, float, float]]) -> None: ...
 
 class ColorKey:
     """What the colors of a picture stand for."""

@@ -3,10 +3,9 @@
 
 #include <algorithm>
 
-#include "c/failure.h"
+#include "c/calls.h"
 #include "c/handles.h"
 #include "c/options.h"
-#include "c/structs.h"
 
 namespace vorpipe::c {
 namespace {

@@ -1,14 +1,28 @@
-/// Devices and sessions.
+/// Devices and sessions, names accepted by options, and the self-test.
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <initializer_list>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <string_view>
 #include <utility>
+#include <vector>
 
-#include "c/failure.h"
+#include "c/calls.h"
 #include "c/handles.h"
 #include "c/options.h"
-#include "c/structs.h"
+#include "c/vorpipe_c.h"
 #include "io/base/error.h"
+#include "io/base/field_text.h"
+#include "io/cells/cells_file.h"
+#include "io/cells/edges_file.h"
+#include "io/pictures/picture_file.h"
+#include "io/sites/sites_file.h"
+#include "selftest/selftest_json.h"
+#include "vorpipe.h"
+#include "vorpipe/fluid.h"
+#include "vorpipe/selftest.h"
 
 namespace vorpipe::c {
 namespace {
@@ -49,9 +63,66 @@ auto findNamed(const Pairs& pairs, const char* name) {
   return std::ranges::find_if(pairs, [&](const auto& pair) { return pair.first == name; });
 }
 
+/// Formats are extensions without their dot.
+std::vector<std::string> formats(std::initializer_list<std::vector<std::string_view>> lists) {
+  std::vector<std::string> names;
+  for (const auto& extensions : lists) {
+    for (const std::string_view extension : extensions) names.emplace_back(extension.substr(1));
+  }
+  return names;
+}
+
+const char* nameOf(vorpipe_list list, std::size_t index) {
+  static const auto backends = backendNames(), maps = colormaps(), features = featureNames(),
+                    limits = limitNames(), cells = formats({cellsExtensions()}),
+                    sites = formats({sitesExtensions()}), edges = formats({edgesExtensions()}),
+                    pictures = formats({pictureExtensions(), idsExtensions()}), cases = fluidCaseNames();
+  switch (list) {
+    case VORPIPE_BACKENDS:
+      return textAt(backends, index);
+    case VORPIPE_COLORMAPS:
+      return textAt(maps, index);
+    case VORPIPE_CELLS_FORMATS:
+      return textAt(cells, index);
+    case VORPIPE_FEATURES:
+      return textAt(features, index);
+    case VORPIPE_LIMITS:
+      return textAt(limits, index);
+    case VORPIPE_SITES_FORMATS:
+      return textAt(sites, index);
+    case VORPIPE_EDGES_FORMATS:
+      return textAt(edges, index);
+    case VORPIPE_PICTURE_FORMATS:
+      return textAt(pictures, index);
+    case VORPIPE_FLUID_CASES:
+      return textAt(cases, index);
+    default:
+      return nullptr;
+  }
+}
+
+Result<SelftestOptions> selftestOptions(const vorpipe_selftest_options* given) {
+  const auto options = taken(given, "vorpipe_selftest_options");
+  if (!options) return tl::unexpected(options.error());
+  const auto threads = threadsOf(options->threads);
+  if (!threads) return tl::unexpected(threads.error());
+  auto mask = maskOf(options->disabled_count, options->disabled, options->limit_count, options->limits);
+  if (!mask) return tl::unexpected(mask.error());
+  SelftestOptions wanted;
+  wanted.mask = std::move(*mask);
+  if (options->backend != nullptr) wanted.backend = options->backend;
+  if (options->device != nullptr) wanted.device = options->device;
+  wanted.quick = options->quick != 0;
+  if (options->seed != 0) wanted.seed = options->seed;
+  wanted.threads = *threads;
+  wanted.progress = progressOf(options->progress, options->progress_user);
+  return wanted;
+}
+
 }  // namespace
 }  // namespace vorpipe::c
 
+using namespace vorpipe;
 using namespace vorpipe::c;
 
 vorpipe_code vorpipe_devices_find(const vorpipe_session_options* options, vorpipe_devices** devices) {
@@ -131,4 +202,31 @@ vorpipe_code vorpipe_session_device(const vorpipe_session* session, vorpipe_devi
 
 const char* vorpipe_session_choice(const vorpipe_session* session) {
   return session == nullptr ? "" : session->session.choice().c_str();
+}
+
+const char* vorpipe_version() {
+  // A string in the program itself, zero-terminated.
+  return vorpipe::version().data();
+}
+
+const char* vorpipe_name(vorpipe_list list, size_t index) {
+  try {
+    return vorpipe::c::nameOf(list, index);
+  } catch (...) {
+    return nullptr;  // no memory
+  }
+}
+
+vorpipe_code vorpipe_selftest(const vorpipe_selftest_options* options, vorpipe_write json, void* user) {
+  return guarded([&] {
+    const auto wanted = selftestOptions(options);
+    if (!wanted) return fail(wanted.error());
+    const auto report = selftest(*wanted);
+    if (!report) return fail(report.error());
+    const std::string text = jsonText(selftestJson(*report), 1);
+    if (json != nullptr && json(user, text.data(), text.size()) != 0) {
+      return fail(VORPIPE_DEVICE, "json: the caller refused it");
+    }
+    return report->passed() ? vorpipe_code{VORPIPE_DONE} : fail(VORPIPE_DIFFERENT, "a promise is broken");
+  });
 }

@@ -1,18 +1,18 @@
-/// Cells: runs, arrays, sums, reports.
+#include "c/diagram.h"
+
 #include <fmt/core.h>
 
+#include <algorithm>
+#include <array>
 #include <span>
 #include <utility>
+#include <vector>
 
-#include "c/array.h"
-#include "c/failure.h"
+#include "c/calls.h"
 #include "c/handles.h"
 #include "c/options.h"
 #include "c/placed_input.h"
-#include "c/session_use.h"
-#include "c/shared_parts.h"
-#include "c/structs.h"
-#include "c/surface.h"
+#include "vorpipe/free_surface.h"
 
 namespace vorpipe::c {
 namespace {
@@ -116,6 +116,53 @@ Result<Topology> topologyByPlane(const vorpipe_diagram& diagram) {
   return topology;
 }
 
+/// Angles are those of the plane.
+Borders bordersOf(const vorpipe_diagram& diagram) {
+  Borders borders;
+  if (!diagram.has_air) return borders;
+  const Sites& sites = *diagram.input->sites;
+  const auto& projection = diagram.input->domain.projection;
+  Diagram cells = diagram.diagram;
+  if (diagram.plane) cells.vertices = diagram.plane->vertices;
+  borders.offsets.push_back(0);
+  for (std::size_t i = 0; i < cells.size(); ++i) {
+    for (const BorderPart& part : borderOf(Cell(cells, i), {sites.x[i], sites.y[i]})) {
+      const Point from = projection ? projection->toDegrees(part.from) : part.from;
+      const Point to = projection ? projection->toDegrees(part.to) : part.to;
+      borders.parts.push_back({from.x, from.y, to.x, to.y, part.angle});
+      borders.neighbors.push_back(part.neighbor);
+    }
+    borders.offsets.push_back(borders.parts.size());
+  }
+  return borders;
+}
+
+/// Returns the array of a field from VORPIPE_BORDER_OFFSETS on; it is found once, and the diagram keeps it.
+/// Empty if cells fill the domain. Error (input): there is no such field.
+Result<vorpipe_array> borderArrayOf(const vorpipe_diagram& diagram, vorpipe_diagram_field field) {
+  std::call_once(diagram.borders_once, [&] { diagram.borders = bordersOf(diagram); });
+  switch (field) {
+    case VORPIPE_BORDER_OFFSETS:
+      return array(diagram.borders.offsets, VORPIPE_UINT64);
+    case VORPIPE_BORDER_PARTS:
+      return array(diagram.borders.parts, VORPIPE_DOUBLE);
+    case VORPIPE_BORDER_NEIGHBORS:
+      return array(diagram.borders.neighbors, VORPIPE_INT64);
+    default:
+      return noField(field);
+  }
+}
+
+/// Removes found sites whose discs do not reach the places that they were found for.
+void leaveOutAir(const Sites& sites, const Point* places, std::uint64_t count, std::uint32_t* found) {
+  for (std::uint64_t k = 0; k < count; ++k) {
+    const std::uint32_t i = found[k];
+    if (i == no_site) continue;
+    const double dx = places[k].x - sites.x[i], dy = places[k].y - sites.y[i];
+    if (sites.weight.empty() || dx * dx + dy * dy > sites.weight[i]) found[k] = no_site;
+  }
+}
+
 }  // namespace
 
 const Result<Topology>& sharedPartsOf(const vorpipe_diagram& diagram) {
@@ -123,6 +170,12 @@ const Result<Topology>& sharedPartsOf(const vorpipe_diagram& diagram) {
     diagram.topology = diagram.plane ? topologyByPlane(diagram) : topologyOf(diagram.diagram);
   });
   return *diagram.topology;
+}
+
+Result<Diagram> cellsWith(Surface surface, Session& session, const Sites& sites, CellsOptions& options) {
+  if (surface == Surface::none) return session.cells(sites, options);
+  options.detail = Detail::polygons;
+  return freeCells(session, sites, options);
 }
 
 }  // namespace vorpipe::c
@@ -167,4 +220,58 @@ const char* vorpipe_diagram_note(const vorpipe_diagram* diagram, size_t index) {
 
 const char* vorpipe_diagram_validation(const vorpipe_diagram* diagram, size_t index) {
   return diagram == nullptr ? nullptr : textAt(diagram->diagram.report.validation_messages, index);
+}
+
+vorpipe_code vorpipe_input_set_surface(vorpipe_input* input, vorpipe_surface surface) {
+  if (input == nullptr) return missing("input");
+  return guarded([&] {
+    constexpr std::array surfaces{Surface::none, Surface::free};
+    const auto known = chosen(surfaces, surface, "surface");
+    if (!known) return fail(known.error());
+    input->surface = *known;
+    return vorpipe_code{VORPIPE_DONE};
+  });
+}
+
+static_assert(sizeof(Point) == 2 * sizeof(double));
+
+vorpipe_code vorpipe_locator_create(const vorpipe_input* input, int32_t threads, vorpipe_locator** locator) {
+  if (input == nullptr) return missing("input");
+  if (locator == nullptr) return missing("locator");
+  return guarded([&] {
+    const auto count = threadsOf(threads);
+    if (!count) return fail(count.error());
+    const auto placed = placedInput(*input);
+    if (!placed) return fail(placed.error());
+    const auto options = cellsOptions(*input, **placed, nullptr);
+    if (!options) return fail(options.error());
+    auto made = Locator::make(*(*placed)->sites, *options, *count);
+    if (!made) return fail(made.error());
+    const bool has_air = input->surface == Surface::free;
+    *locator = new vorpipe_locator{std::move(*made), has_air ? (*placed)->sites : nullptr,
+                                   (*placed)->domain.projection};
+    return vorpipe_code{VORPIPE_DONE};
+  });
+}
+
+void vorpipe_locator_free(vorpipe_locator* locator) { delete locator; }
+
+vorpipe_code vorpipe_locator_find(const vorpipe_locator* locator, const double* places, uint64_t count,
+                                  uint32_t* sites) {
+  if (locator == nullptr) return missing("locator");
+  if (places == nullptr && count > 0) return missing("places");
+  if (sites == nullptr && count > 0) return missing("sites");
+  return guarded([&] {
+    std::span given(reinterpret_cast<const Point*>(places), count);
+    std::vector<Point> plane;
+    if (locator->projection) {
+      plane.resize(count);
+      std::ranges::transform(given, plane.begin(),
+                             [&](Point place) { return locator->projection->toPlane(place); });
+      given = plane;
+    }
+    locator->locator.at(given, {sites, count});
+    if (locator->discs != nullptr) leaveOutAir(*locator->discs, given.data(), count, sites);
+    return vorpipe_code{VORPIPE_DONE};
+  });
 }

@@ -26,7 +26,7 @@ struct vorpipe_devices {
 struct vorpipe_session {
   vorpipe::Session session;
   int threads;
-  std::atomic<bool> is_busy{false};  ///< during a run; c/session_use.h sets it
+  std::atomic<bool> is_busy{false};  ///< during a run; SessionUse sets it
 };
 
 namespace vorpipe::c {

@@ -2,7 +2,7 @@
 #include <cstdint>
 #include <string_view>
 
-#include "c/failure.h"
+#include "c/calls.h"
 #include "c/handles.h"
 #include "c/options.h"
 #include "c/placed_input.h"

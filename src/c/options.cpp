@@ -7,7 +7,7 @@
 #include <optional>
 
 #include "base/try.h"
-#include "c/structs.h"
+#include "c/calls.h"
 #include "io/base/error.h"
 
 namespace vorpipe::c {
@@ -137,6 +137,15 @@ Result<RenderOptions> renderOptions(const PlacedInput& placed, const vorpipe_ren
     return tl::unexpected(Error{ErrorCode::input, "color: weight needs weights", false, Subject::weights});
   }
   return options;
+}
+
+Result<CellsOptions> movingOptions(const vorpipe_input& input, const PlacedInput& placed,
+                                   vorpipe_search search, std::int32_t neighbors) {
+  vorpipe_cells_options options{};
+  options.struct_size = sizeof(options);
+  options.search = search;
+  options.search_neighbors = neighbors;
+  return cellsOptions(input, placed, &options);
 }
 
 }  // namespace vorpipe::c

@@ -1,18 +1,20 @@
-/// Pictures: runs, arrays, reports.
+/// Pictures: runs, arrays, reports; and pictures as shapes.
 #include <fmt/core.h>
 
+#include <string>
 #include <utility>
 
-#include "c/array.h"
-#include "c/failure.h"
+#include "base/try.h"
+#include "c/calls.h"
+#include "c/diagram.h"
 #include "c/handles.h"
 #include "c/options.h"
+#include "c/outputs.h"
 #include "c/placed_input.h"
-#include "c/session_use.h"
-#include "c/structs.h"
 #include "io/base/error.h"
 #include "io/base/extension.h"
 #include "io/pictures/npy_ids.h"
+#include "io/pictures/picture_file.h"
 #include "io/pictures/png_file.h"
 #include "vorpipe/free_surface.h"
 
@@ -84,6 +86,31 @@ vorpipe_color_key keyOf(const Rendering& rendering) {
   return shown;
 }
 
+/// Returns the format of shapes that a path names. Error (input): it names none.
+Result<const PictureFormat*> shapesFormatOf(const std::string& path) {
+  const auto format = pictureFormatOf(path);
+  if (format && !(*format)->of_shapes) {
+    return inputError(fmt::format("{}: is made of pixels, which vorpipe_render draws", path));
+  }
+  return format;
+}
+
+/// Finds the cells, and writes them as a picture.
+Result<void> draw(vorpipe_session& session, const vorpipe_input& input, const vorpipe_render_options* given,
+                  const PictureFormat& format, ByteSink& to) {
+  const auto placed = placedInput(input);
+  if (!placed) return tl::unexpected(placed.error());
+  const auto options = renderOptions(**placed, given);
+  if (!options) return tl::unexpected(options.error());
+  VORPIPE_TRY(checkPicture(*options));
+  CellsOptions cells = cellsOptions(*options);
+  cells.detail = Detail::polygons;
+  const Sites& sites = *(*placed)->sites;
+  const auto found = cellsWith(input.surface, session.session, sites, cells);
+  if (!found) return tl::unexpected(found.error());
+  return format.write(to, {sites, *options, nullptr, &*found, (*placed)->domain.system, session.threads});
+}
+
 }  // namespace
 }  // namespace vorpipe::c
 
@@ -144,4 +171,31 @@ const char* vorpipe_picture_note(const vorpipe_picture* picture, size_t index) {
 
 const char* vorpipe_picture_validation(const vorpipe_picture* picture, size_t index) {
   return picture == nullptr ? nullptr : textAt(picture->rendering.report.validation_messages, index);
+}
+
+vorpipe_code vorpipe_draw(vorpipe_session* session, const vorpipe_input* input,
+                          const vorpipe_render_options* options, const char* format, vorpipe_write write,
+                          void* user) {
+  if (session == nullptr) return missing("session");
+  if (input == nullptr) return missing("input");
+  if (format == nullptr) return missing("format");
+  if (write == nullptr) return missing("write");
+  return guardedRun(*session, [&] {
+    const auto known = shapesFormatOf(std::string("picture.") + format);
+    if (!known) return fail(known.error());
+    auto sink = sinkOf(format, write, user);
+    return codeOf(draw(*session, *input, options, **known, sink));
+  });
+}
+
+vorpipe_code vorpipe_draw_save(vorpipe_session* session, const vorpipe_input* input,
+                               const vorpipe_render_options* options, const char* path) {
+  if (session == nullptr) return missing("session");
+  if (input == nullptr) return missing("input");
+  if (path == nullptr) return missing("path");
+  return guardedRun(*session, [&] {
+    const auto known = shapesFormatOf(path);
+    if (!known) return fail(known.error());
+    return codeOf(save(path, [&](ByteSink& to) { return draw(*session, *input, options, **known, to); }));
+  });
 }

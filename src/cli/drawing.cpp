@@ -77,10 +77,7 @@ Result<RenderOptions> pictureOf(const PictureOptions& picture, const InputOption
   options.height = size.height;
   options.fit = picture.fit.value_or(usualFit(input));
   options.fill = !picture.no_fill;
-  if (picture.edge_width) {
-    if (!options.edges && !options.dual) return inputError("--edge-width: needs --edges or --dual");
-    options.edge_width = *picture.edge_width;
-  }
+  VORPIPE_TRY(checkMarks(picture));
   if (auto checked = checkView(options); !checked) return inputError("--view: " + checked.error().message);
   VORPIPE_TRY(checkPicture(options, sites, input));
   return options;

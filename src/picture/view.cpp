@@ -6,6 +6,7 @@
 #include <string>
 #include <utility>
 
+#include "base/option_rows.h"
 #include "vorpipe.h"
 
 namespace vorpipe {
@@ -137,23 +138,18 @@ Result<void> checkPicture(const RenderOptions& options) {
                                      options.width, options.height, least_with_legend.width,
                                      least_with_legend.height));
   }
-  constexpr double widest = 100;
-  if (!(options.edge_width >= 1 && options.edge_width <= widest)) {
-    return refusePicture(fmt::format("edge width {}: must be 1 to {} pixels", options.edge_width, widest));
-  }
   if (options.legend && !options.fill) return refusePicture("legend: cells without fill have no colors");
-  if (!(options.dot_size >= 0 && options.dot_size <= widest)) {
-    return refusePicture(fmt::format("dot size {}: must be 0 to {} pixels", options.dot_size, widest));
-  }
-  constexpr int most_places = 8;
-  if (options.antialias < 1 || options.antialias > most_places) {
-    return refusePicture(fmt::format("antialias {}: must be 1 to {}", options.antialias, most_places));
-  }
-  constexpr double least_label = 5, largest_label = 200;
-  if (!(options.label_size >= least_label && options.label_size <= largest_label)) {
-    return refusePicture(fmt::format("label size {}: must be {} to {} pixels", options.label_size,
-                                     least_label, largest_label));
-  }
+  Result<void> checked;
+  const auto check = [&](const auto& row) {
+    if constexpr (requires { row.least; }) {
+      const auto value = options.*row.member;
+      if (!checked || (value >= row.least && value <= row.most)) return;
+      checked = refusePicture(fmt::format("{} {}: must be {} to {}{}", nameWith(' ', row.name), value,
+                                          row.least, row.most, row.unit));
+    }
+  };
+  forEachRow(picture_rows, check);
+  if (!checked) return checked;
   return checkView(options);
 }
 

@@ -1,4 +1,5 @@
 """What is taken, and what is refused with the argument's name."""
+import inspect
 import pickle
 import types
 
@@ -103,6 +104,13 @@ def test_what_is_wrong_about_a_picture_is_named(argument, arguments):
     with pytest.raises(vorpipe.InputError, match=f'^{argument}: ') as caught:
         vorpipe.render(POINTS, **arguments)
     assert caught.value.subject == argument
+
+
+@pytest.mark.parametrize('call', [vorpipe.render, vorpipe.draw, vorpipe.Session.render, vorpipe.Session.draw])
+def test_marks_have_the_defaults_of_the_library(call):
+    arguments = inspect.signature(call).parameters
+    assert {name: arguments[name].default or usual for name, usual in vorpipe._vorpipe.MARKS.items()} \
+        == vorpipe._vorpipe.MARKS
 
 
 def fluid(**arguments):

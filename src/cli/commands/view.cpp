@@ -156,7 +156,6 @@ Result<view::AppOptions> appOf(const ViewCommand& command) {
   if (!opened) return tl::unexpected(std::move(opened.error()));
   options.viewer.opened = std::move(*opened);
   options.viewer.settings.picture = command.picture.render;
-  if (command.picture.edge_width) options.viewer.settings.picture.edge_width = *command.picture.edge_width;
   options.viewer.settings.cells = !command.picture.no_fill;
   // A screenshot has no panel, so the picture must not make room for one.
   options.viewer.settings.panel = command.screenshot.empty();

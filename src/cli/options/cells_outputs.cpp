@@ -7,7 +7,6 @@
 #include <utility>
 
 #include "cli/options/options.h"
-#include "cli/options/standard_output.h"
 #include "io/base/error.h"
 #include "io/base/quoted.h"
 
@@ -16,20 +15,10 @@ namespace {
 
 Parsed<CellsTarget> parseCells(std::string_view text) {
   if (text == "-" || text == standard_output) return CellsTarget{std::string(standard_output), nullptr};
-  auto path = parseFile(text, "");
-  if (!path) return tl::unexpected(std::move(path.error()));
-  const auto format = cellsFormatOf(*path);
-  if (!format) return tl::unexpected(format.error().message);
-  return CellsTarget{std::move(*path), *format};
+  return parseNamed<CellsTarget>(text, cellsFormatOf);
 }
 
-Parsed<EdgesTarget> parseEdges(std::string_view text) {
-  auto path = parseFile(text, "");
-  if (!path) return tl::unexpected(std::move(path.error()));
-  const auto format = edgesFormatOf(*path);
-  if (!format) return tl::unexpected(format.error().message);
-  return EdgesTarget{std::move(*path), *format};
-}
+Parsed<EdgesTarget> parseEdges(std::string_view text) { return parseNamed<EdgesTarget>(text, edgesFormatOf); }
 
 /// Parses --detail: whether only measures are wanted.
 Parsed<bool> parseDetail(std::string_view text) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "cli/options/command_line.h"
@@ -10,6 +11,9 @@
 #include "vorpipe.h"
 
 namespace vorpipe::cli {
+
+/// The path of standard output, which `-` stands for.
+inline constexpr std::string_view standard_output = "/dev/stdout";
 
 struct CellsTarget {
   std::string path;

@@ -1,15 +1,16 @@
 #include "cli/options/command_line.h"
 
+#include <fmt/format.h>
+
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <memory>
 #include <set>
 #include <span>
 #include <string_view>
 #include <utility>
 
 #include "cli/options/error_line.h"
-#include "cli/options/help_format.h"
-#include "cli/options/suggestion.h"
 #include "cli/options/unknown_option.h"
 #include "io/base/quoted.h"
 
@@ -17,6 +18,23 @@ namespace vorpipe::cli {
 namespace {
 
 using Texts = std::vector<std::string>;
+
+/// The layout of --help: options by their groups, in the order of inOrder().
+class HelpFormat final : public CLI::Formatter {
+ public:
+  [[nodiscard]] std::string make_help(const CLI::App* app, std::string name,
+                                      CLI::AppFormatMode mode) const override {
+    std::string text = make_description(app) + make_usage(app, std::move(name)) + make_positionals(app);
+    text += make_subcommands(app, mode);
+    for (const std::string& group : inOrder(app->get_groups())) {
+      const auto options = app->get_options(
+          [&](const CLI::Option* option) { return option->nonpositional() && option->get_group() == group; });
+      if (!options.empty()) text += make_group(group, false, options);
+    }
+    // Does not call CLI11's make_footer: some versions put an empty line before the footer.
+    return text + app->get_footer() + '\n';
+  }
+};
 
 CLI::Option* addTexts(CLI::App& app, const std::string& name, Value value, const std::string& description) {
   auto* option = app.add_option_function<Texts>(
@@ -31,7 +49,7 @@ void addCommonFlags(CLI::App& app, const std::string& version_line) {
   const std::string group(help_group);
   app.set_help_flag("-h,--help", "prints the options")->group(group);
   app.set_version_flag("--version", version_line, "prints the version")->group(group);
-  app.formatter(helpFormat());
+  app.formatter(std::make_shared<HelpFormat>());
 }
 
 std::vector<std::string> namesOf(const std::set<CLI::Option*>& options) {

@@ -67,29 +67,19 @@ Parsed<std::string> parseCase(std::string_view text) {
       fmt::format("{} is not {}, or an .npz file", inQuotes(text), anyOf(fluidCaseNames())));
 }
 
-/// Parses a file whose extension determines its format.
-template <class Target, class FormatOf>
-Parsed<Target> parseOutcome(std::string_view text, const FormatOf& format_of) {
-  auto path = parseFile(text, "");
-  if (!path) return tl::unexpected(std::move(path.error()));
-  const auto format = format_of(*path);
-  if (!format) return tl::unexpected(format.error().message);
-  return Target{std::move(*path), *format};
-}
-
 void addOutcomeFiles(Options& options, FluidTargets& targets) {
   const auto points = pointsExtensions(), cells = cellsExtensions();
   addRepeatable(
       options, "-o", "FILE",
       fmt::format("the sites at the end with their weights, by the extension: {}; repeatable",
                   fmt::join(points, ", ")),
-      [](std::string_view text) { return parseOutcome<FluidTargets::Points>(text, pointsFormatOf); },
+      [](std::string_view text) { return parseNamed<FluidTargets::Points>(text, pointsFormatOf); },
       [&targets](FluidTargets::Points target) { targets.points.push_back(std::move(target)); },
       {{}, {points.begin(), points.end()}});
   addRepeatable(
       options, "--cells", "FILE",
       fmt::format("their cells, as `vorpipe cells` writes them: {}; repeatable", fmt::join(cells, ", ")),
-      [](std::string_view text) { return parseOutcome<CellsTarget>(text, cellsFormatOf); },
+      [](std::string_view text) { return parseNamed<CellsTarget>(text, cellsFormatOf); },
       [&targets](CellsTarget target) { targets.cells.push_back(std::move(target)); },
       {{}, {cells.begin(), cells.end()}});
 }

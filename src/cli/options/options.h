@@ -4,11 +4,11 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
 #include "cli/options/command_line.h"
-#include "cli/options/format_choice.h"
 #include "cli/options/parse.h"
 #include "io/sites/site_domain.h"
 #include "io/sites/sites_file.h"
@@ -41,6 +41,16 @@ Option addRepeatable(Options& options, const std::string& name, const std::strin
                      const std::string& description, const Parse& parse, const Take& take,
                      Choices choices = {}) {
   return options.addRepeatable(name, parsedValue(value, parse, take, std::move(choices)), description);
+}
+
+/// Parses a file whose extension determines its format.
+template <class Target, class FormatOf>
+Parsed<Target> parseNamed(std::string_view text, const FormatOf& format_of) {
+  auto path = parseFile(text, "");
+  if (!path) return tl::unexpected(std::move(path.error()));
+  const auto format = format_of(*path);
+  if (!format) return tl::unexpected(format.error().message);
+  return Target{std::move(*path), *format};
 }
 
 /// Adds an option that names a file; `extension` as in parseFile.

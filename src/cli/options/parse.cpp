@@ -8,7 +8,7 @@
 #include <charconv>
 #include <cmath>
 
-#include "cli/options/suggestion.h"
+#include "cli/options/unknown_option.h"
 #include "io/base/extension.h"
 #include "io/base/number.h"
 #include "io/base/quoted.h"
@@ -17,6 +17,11 @@
 
 namespace vorpipe::cli {
 namespace {
+
+bool isKind(std::string_view text) {
+  constexpr std::string_view letters = "abcdefghijklmnopqrstuvwxyz0123456789.";
+  return !text.empty() && text.front() != '.' && text.find_first_not_of(letters) == std::string_view::npos;
+}
 
 template <class T>
 struct Named {
@@ -230,6 +235,17 @@ Parsed<std::string> parseFile(std::string_view text, std::string_view extension)
   if (!extension.empty() && !found.empty() && found != extension)
     return bad(fmt::format("{} does not end in {}", inQuotes(text), extension));
   return std::string(text);
+}
+
+Parsed<FormatChoice> parseFormat(std::string_view text) {
+  std::string lower(text);
+  std::ranges::transform(lower, lower.begin(),
+                         [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; });
+  const std::size_t comma = std::min(lower.find(','), lower.size());
+  FormatChoice choice{lower.substr(0, comma), comma < lower.size() ? lower.substr(comma + 1) : lower};
+  if (isKind(choice.input) && isKind(choice.output)) return choice;
+  return tl::unexpected(
+      fmt::format("{} is no kind of file, as in csv, or two, as in csv,geojson", vorpipe::inQuotes(text)));
 }
 
 }  // namespace vorpipe::cli

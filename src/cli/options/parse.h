@@ -85,4 +85,12 @@ Parsed<std::vector<std::string>> parseBackends(std::string_view text);
 /// empty.
 Parsed<std::string> parseFile(std::string_view text, std::string_view extension);
 
+/// The formats of standard input and output, as extensions without the dot; empty if not given.
+struct FormatChoice {
+  std::string input, output;
+};
+
+/// Parses `KIND`, for both, or `IN,OUT`; any case. Whether a kind exists is checked by its reader or writer.
+Parsed<FormatChoice> parseFormat(std::string_view text);
+
 }  // namespace vorpipe::cli

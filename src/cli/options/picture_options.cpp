@@ -4,14 +4,16 @@
 
 #include <algorithm>
 #include <array>
+#include <map>
+#include <type_traits>
 
+#include "base/option_rows.h"
+#include "io/base/error.h"
 #include "io/base/number.h"
 #include "io/base/quoted.h"
 
 namespace vorpipe::cli {
 namespace {
-
-constexpr double widest_mark = 100;
 
 std::vector<std::string> scaleNames() { return {"linear", "log", "quantile"}; }
 std::vector<std::string> fitNames() { return {"stretch", "letterbox"}; }
@@ -40,20 +42,20 @@ Parsed<ColorRange> parseColorRange(std::string_view text) {
   return ColorRange{range->low, range->high};
 }
 
-/// A width or a height in pixels.
-Parsed<double> parsePixels(std::string_view text, double least, double most = widest_mark) {
-  const auto number = parseNumber(text);
-  if (!number) return tl::unexpected(number.error());
-  if (*number >= least && *number <= most) return *number;
-  return tl::unexpected(fmt::format("{} is not a number of pixels from {} to {}", *number, least, most));
-}
-
-/// Parses the number of rows and columns of samples in a pixel.
-Parsed<int> parsePlaces(std::string_view text) {
-  constexpr std::uint64_t most = 8;
-  const auto number = parseWhole(text, 1, most);
-  if (!number) return tl::unexpected(number.error());
-  return static_cast<int>(*number);
+/// Parses a number in the range of its row.
+template <class Number>
+Parsed<Number> parseNumberOf(const NumberRow<RenderOptions, Number>& row, std::string_view text) {
+  if constexpr (std::is_integral_v<Number>) {
+    const auto least = static_cast<std::uint64_t>(row.least_given),
+               most = static_cast<std::uint64_t>(row.most);
+    return parseWhole(text, least, most).map([](auto number) { return static_cast<Number>(number); });
+  } else {
+    const auto number = parseNumber(text);
+    if (!number) return tl::unexpected(number.error());
+    if (*number >= row.least_given && *number <= row.most) return *number;
+    return tl::unexpected(
+        fmt::format("{} is not a number of{} from {} to {}", *number, row.unit, row.least_given, row.most));
+  }
 }
 
 }  // namespace
@@ -116,34 +118,39 @@ void addColorOptions(Options& options, RenderOptions& picture) {
 }
 
 void addMarkOptions(Options& options, PictureOptions& picture) {
-  RenderOptions& render = picture.render;
-  options.addFlag("--edges", render.edges, "darkens the edges of the cells");
-  options.addFlag("--dual", render.dual,
-                  "draws lines between sites whose cells have a common edge in the domain: of the Delaunay "
-                  "triangulation, what does not meet beyond; a larger --margin has more of it");
-  addParsed(options, "--edge-width", picture.edge_width, "PX",
-            fmt::format("how wide edges and lines of --dual are, 1 to {} pixels; edges in a .png without "
-                        "--antialias have a whole number of them [1]",
-                        widest_mark),
-            [](std::string_view text) { return parsePixels(text, 1); });
-  const Option sites = options.addFlag("--show-sites", render.show_sites, "draws a dot at each site");
-  addParsed(
-      options, "--dot-size", render.dot_size, "PX",
-      fmt::format("how wide dots are, 1 to {} pixels [by the spacing of the sites that show]", widest_mark),
-      [](std::string_view text) { return parsePixels(text, 1); })
-      .needs(sites);
-  const Option labels = options.addFlag(
-      "--labels", render.labels,
-      "writes the index of each site, counted from 0 as in --ids, into its cell where it has room");
-  addParsed(options, "--label-size", render.label_size, "PX",
-            fmt::format("how high the digits are, 5 to 200 pixels [{}]", render.label_size),
-            [](std::string_view text) { return parsePixels(text, 5, 200); })
-      .needs(labels);
+  std::map<std::string_view, Option> flags;
+  const auto add = [&](const auto& row) {
+    auto& target = picture.render.*row.member;
+    if constexpr (requires { row.least; }) {
+      const auto parse = [&picture, row](std::string_view text) {
+        picture.given.insert(row.name);
+        return parseNumberOf(row, text);
+      };
+      const std::string help = fmt::format(fmt::runtime(row.help), row.least_given, row.most, target);
+      Option option = addParsed(options, flagOf(row), target, row.value, help, parse);
+      // CLI11 has no option that needs one of two others.
+      if (row.of[0] != nullptr && row.of[1] == nullptr) option.needs(flags.at(row.of[0]->name));
+    } else {
+      flags.emplace(row.name, options.addFlag(flagOf(row), target, row.help));
+    }
+  };
+  forEachRow(mark_rows, add);
   options.addFlag("--no-fill", picture.no_fill, "leaves the cells white");
-  addParsed(options, "--antialias", render.antialias, "N",
-            "smooths a .png: each pixel has the mean color of N x N places, 1 to 8; --ids are those of the "
-            "centers [1]",
-            parsePlaces);
+  add(antialias_row);
+}
+
+Result<void> checkMarks(const PictureOptions& picture) {
+  Result<void> checked;
+  const auto check = [&](const auto& row) {
+    if constexpr (requires { row.least; }) {
+      const auto& [one, other] = row.of;
+      if (!checked || other == nullptr || !picture.given.contains(row.name)) return;
+      if (picture.render.*one->member || picture.render.*other->member) return;
+      checked = inputError(fmt::format("{}: needs {} or {}", flagOf(row), flagOf(*one), flagOf(*other)));
+    }
+  };
+  forEachRow(mark_rows, check);
+  return checked;
 }
 
 PictureSize sizeBefore(const SizeChoice& size) {

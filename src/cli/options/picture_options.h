@@ -2,6 +2,8 @@
 #pragma once
 
 #include <optional>
+#include <set>
+#include <string_view>
 
 #include "cli/options/options.h"
 #include "vorpipe.h"
@@ -22,7 +24,7 @@ struct PictureOptions {
   RenderOptions render{};
   SizeChoice size;
   std::optional<Fit> fit;
-  std::optional<double> edge_width;
+  std::set<std::string_view> given;  ///< names of given numbers of picture_rows
   bool no_fill = false;
 };
 
@@ -34,8 +36,10 @@ Option addFitOption(Options& options, std::optional<Fit>& fit);
 Option addViewOption(Options& options, std::optional<Box>& view);
 /// --color, --colormap, --color-scale, --color-range, --legend
 void addColorOptions(Options& options, RenderOptions& picture);
-/// --edges, --dual, --edge-width, --show-sites, --dot-size, --labels, --label-size, --no-fill, --antialias
+/// The options of picture_rows, and --no-fill.
 void addMarkOptions(Options& options, PictureOptions& picture);
+/// Error (input): a number is given that draws nothing without a flag.
+Result<void> checkMarks(const PictureOptions& picture);
 /// All of these, in a group of their own.
 void addPictureGroup(Options& options, PictureOptions& picture);
 

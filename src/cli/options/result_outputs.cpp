@@ -9,7 +9,6 @@
 #include <utility>
 
 #include "cli/options/options.h"
-#include "cli/options/standard_output.h"
 #include "io/base/error.h"
 #include "io/base/quoted.h"
 #include "io/pictures/picture_file.h"
@@ -30,16 +29,6 @@ Parsed<PointsTarget> parsePoints(std::string_view text) {
   if (pictureFormatOf(*path)) return isFor("--picture");
   if (cellsFormatOf(*path)) return isFor("--cells");
   return tl::unexpected(pointsFormatOf(*path).error().message);
-}
-
-/// Parses a named file whose extension determines its format.
-template <class Target, class FormatOf>
-Parsed<Target> parseNamed(std::string_view text, const FormatOf& format_of) {
-  auto path = parseFile(text, "");
-  if (!path) return tl::unexpected(std::move(path.error()));
-  const auto format = format_of(*path);
-  if (!format) return tl::unexpected(format.error().message);
-  return Target{std::move(*path), *format};
 }
 
 std::string numbered(const std::string& path, std::uint64_t number) {
