@@ -4,6 +4,7 @@
 #include <pybind11/stl.h>
 
 #include "arrays.h"
+#include "base/try.h"
 #include "choices.h"
 #include "errors.h"
 #include "io/cells/cells_file.h"
@@ -42,9 +43,8 @@ void saveEdges(const CellsResult& result, const std::string& path, int threads) 
   const EdgesFormat& format = *valueOf(edgesFormatOf(path));
   requireDetail(result, format.extension, Detail::polygons);
   saveFile(path, result.input->files, [&](ByteSink& sink) -> Result<void> {
-    const auto topology = topologyOf(result, threads);
-    if (!topology) return tl::unexpected(topology.error());
-    return writeEdges(sink, {result.shown(), *topology, result.system()}, format);
+    VORPIPE_LET(topology, topologyOf(result, threads));
+    return writeEdges(sink, {result.shown(), topology, result.system()}, format);
   });
 }
 

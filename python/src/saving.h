@@ -9,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include "base/try.h"
 #include "errors.h"
 #include "io/base/output_file.h"
 #include "runs.h"
@@ -27,10 +28,9 @@ void saveFile(const std::string& path, const std::vector<std::string>& inputs, c
   }
   auto saved = [&]() -> Result<void> {
     const WithoutGil no_gil;
-    auto file = OutputFile::create(path);
-    if (!file) return tl::unexpected(std::move(file.error()));
-    auto written = write(*file);
-    return written ? file->commit() : written;
+    VORPIPE_VAR(file, OutputFile::create(path));
+    auto written = write(file);
+    return written ? file.commit() : written;
   }();
   valueOf(std::move(saved));
 }

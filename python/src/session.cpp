@@ -1,4 +1,5 @@
 #include "session.h"
+#include "base/try.h"
 
 #include <pybind11/stl.h>
 
@@ -75,12 +76,11 @@ std::shared_ptr<CellsResult> SharedSession::find(const std::shared_ptr<const Inp
         options.progress = heard;
         const bool has_air = input->surface == Surface::free;
         if (has_air) options.detail = Detail::polygons;
-        auto diagram =
-            has_air ? freeCells(session, input->sites, options) : session.cells(input->sites, options);
-        if (!diagram) return tl::unexpected(std::move(diagram.error()));
+        VORPIPE_VAR(diagram, has_air ? freeCells(session, input->sites, options)
+                                     : session.cells(input->sites, options));
         options.progress = nullptr;
         return std::make_shared<CellsResult>(
-            resultOf(input, std::move(options), std::move(*diagram), threads));
+            resultOf(input, std::move(options), std::move(diagram), threads));
       });
 }
 
@@ -100,15 +100,14 @@ std::shared_ptr<PictureResult> SharedSession::render(const std::shared_ptr<const
       [input, options = renderOptionsOf(look, *input)](
           Session& session, const Progress& heard) mutable -> Result<std::shared_ptr<PictureResult>> {
         options.progress = heard;
-        auto rendering = session.render(input->sites, options);
-        if (!rendering) return tl::unexpected(std::move(rendering.error()));
+        VORPIPE_VAR(rendering, session.render(input->sites, options));
         if (input->surface == Surface::free) {
-          auto taken = takeOutAir(input->sites, options, rendering->image, session.threads());
+          auto taken = takeOutAir(input->sites, options, rendering.image, session.threads());
           if (!taken) return tl::unexpected(std::move(taken.error()));
         }
         options.progress = nullptr;
         return std::make_shared<PictureResult>(
-            PictureResult{input, std::move(options), std::move(*rendering)});
+            PictureResult{input, std::move(options), std::move(rendering)});
       });
 }
 

@@ -81,9 +81,8 @@ template <class Options, class Work>
 Result<Run> timeRun(const Options& options, const Work& work) {
   const double cpu_before = cpuSeconds();
   const Stopwatch watch;
-  auto done = work(options);
-  if (!done) return tl::unexpected(std::move(done.error()));
-  return Run{watch.seconds(), cpuSeconds() - cpu_before, std::move(done->report)};
+  VORPIPE_VAR(done, work(options));
+  return Run{watch.seconds(), cpuSeconds() - cpu_before, std::move(done.report)};
 }
 
 Work workOf(const TimedBackend& backend, const TimedExactTier& exact, const Run& run) {
@@ -265,9 +264,8 @@ Result<DataSet*> Lab::sitesNamed(const std::string& name) {
   if (file != settings_.files.end()) return &*file;
   auto& known = sites_[name];
   if (!known) {
-    auto source = loadSites(name, seed);
-    if (!source) return tl::unexpected(std::move(source.error()));
-    known = std::make_unique<DataSet>(DataSet{name, std::move(source->table.sites), {0, 0, 1, 1}});
+    VORPIPE_VAR(source, loadSites(name, seed));
+    known = std::make_unique<DataSet>(DataSet{name, std::move(source.table.sites), {0, 0, 1, 1}});
   }
   return known.get();
 }
@@ -279,10 +277,9 @@ Result<Lab::Opened*> Lab::open(const Job& job) {
   auto& known = opened_[fmt::format("{} {}", options.name, options.threads)];
   if (!known) {
     setDriverThreads(options.threads);
-    auto opened = openBackend(options);
-    if (!opened) return tl::unexpected(std::move(opened.error()));
+    VORPIPE_VAR(opened, openBackend(options));
     known =
-        std::make_unique<Opened>(Opened{std::move(*opened), openExactTier(options.threads), options.threads});
+        std::make_unique<Opened>(Opened{std::move(opened), openExactTier(options.threads), options.threads});
   }
   return known.get();
 }
@@ -290,15 +287,13 @@ Result<Lab::Opened*> Lab::open(const Job& job) {
 Result<void> Lab::run(Outcome& outcome, bool counts) {
   const Job& job = outcome.job;
   try {
-    const auto set = sitesNamed(job.sites);
-    if (!set) return tl::unexpected(set.error());
-    const auto opened = open(job);
-    if (!opened) return tl::unexpected(opened.error());
-    const DataSet& data = **set;
+    VORPIPE_LET(set, sitesNamed(job.sites));
+    VORPIPE_LET(opened, open(job));
+    const DataSet& data = *set;
     outcome.sites = data.sites.size();
-    TimedBackend backend(*(*opened)->opened.backend);
-    TimedExactTier exact(*(*opened)->exact);
-    const core::Machine machine{backend, exact, (*opened)->threads};
+    TimedBackend backend(*opened->opened.backend);
+    TimedExactTier exact(*opened->exact);
+    const core::Machine machine{backend, exact, opened->threads};
     CellsOptions cells{};
     cells.domain = data.domain;
     cells.search = job.search;

@@ -87,13 +87,12 @@ class TemporaryFolder {
 /// its last line; `keep_running` returned false, and it was ended (cancelled).
 Result<void> runChild(const std::string& program, const std::vector<std::string>& arguments,
                       const std::string& errors, const std::function<bool()>& keep_running) {
-  const auto child = start(program, arguments, errors);
-  if (!child) return tl::unexpected(child.error());
+  VORPIPE_LET(child, start(program, arguments, errors));
   int status = 0;
-  while (waitpid(*child, &status, WNOHANG) == 0) {
+  while (waitpid(child, &status, WNOHANG) == 0) {
     if (!keep_running()) {
-      kill(*child, SIGKILL);
-      waitpid(*child, &status, 0);
+      kill(child, SIGKILL);
+      waitpid(child, &status, 0);
       return tl::unexpected(Error{ErrorCode::cancelled, "interrupted"});
     }
     std::this_thread::sleep_for(glance);

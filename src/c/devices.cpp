@@ -9,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include "base/try.h"
 #include "c/calls.h"
 #include "c/handles.h"
 #include "c/options.h"
@@ -28,21 +29,19 @@ namespace vorpipe::c {
 namespace {
 
 Result<BackendOptions> backendOptions(const vorpipe_session_options* given) {
-  const auto options = taken(given, "vorpipe_session_options");
-  if (!options) return tl::unexpected(options.error());
-  auto mask = maskOf(options->disabled_count, options->disabled, options->limit_count, options->limits);
-  if (!mask) return tl::unexpected(mask.error());
-  if (options->threads < 0) return inputError(fmt::format("threads: is {}", options->threads));
+  VORPIPE_LET(options, taken(given, "vorpipe_session_options"));
+  VORPIPE_VAR(mask, maskOf(options.disabled_count, options.disabled, options.limit_count, options.limits));
+  if (options.threads < 0) return inputError(fmt::format("threads: is {}", options.threads));
   BackendOptions backend;
-  if (options->backend != nullptr) backend.name = options->backend;
-  if (options->device != nullptr) backend.device = options->device;
+  if (options.backend != nullptr) backend.name = options.backend;
+  if (options.device != nullptr) backend.device = options.device;
   const auto known = backendNames();
   if (std::ranges::find(known, backend.name) == known.end()) {
     return inputError(fmt::format("backend: no backend {}", backend.name));
   }
-  backend.threads = options->threads;
-  backend.mask = std::move(*mask);
-  backend.validation = options->validation != 0;
+  backend.threads = options.threads;
+  backend.mask = std::move(mask);
+  backend.validation = options.validation != 0;
   return backend;
 }
 
@@ -102,20 +101,17 @@ const char* nameOf(vorpipe_list list, std::size_t index) {
 }
 
 Result<SelftestOptions> selftestOptions(const vorpipe_selftest_options* given) {
-  const auto options = taken(given, "vorpipe_selftest_options");
-  if (!options) return tl::unexpected(options.error());
-  const auto threads = threadsOf(options->threads);
-  if (!threads) return tl::unexpected(threads.error());
-  auto mask = maskOf(options->disabled_count, options->disabled, options->limit_count, options->limits);
-  if (!mask) return tl::unexpected(mask.error());
+  VORPIPE_LET(options, taken(given, "vorpipe_selftest_options"));
+  VORPIPE_LET(threads, threadsOf(options.threads));
+  VORPIPE_VAR(mask, maskOf(options.disabled_count, options.disabled, options.limit_count, options.limits));
   SelftestOptions wanted;
-  wanted.mask = std::move(*mask);
-  if (options->backend != nullptr) wanted.backend = options->backend;
-  if (options->device != nullptr) wanted.device = options->device;
-  wanted.quick = options->quick != 0;
-  if (options->seed != 0) wanted.seed = options->seed;
-  wanted.threads = *threads;
-  wanted.progress = progressOf(options->progress, options->progress_user);
+  wanted.mask = std::move(mask);
+  if (options.backend != nullptr) wanted.backend = options.backend;
+  if (options.device != nullptr) wanted.device = options.device;
+  wanted.quick = options.quick != 0;
+  if (options.seed != 0) wanted.seed = options.seed;
+  wanted.threads = threads;
+  wanted.progress = progressOf(options.progress, options.progress_user);
   return wanted;
 }
 

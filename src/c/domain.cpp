@@ -119,13 +119,12 @@ Result<std::vector<std::uint64_t>> offsetsOf(const std::uint64_t* offsets, std::
 
 Result<Outline> outlineOf(const vorpipe_outline& given) {
   if (given.points == nullptr) return inputError("points: is NULL");
-  auto rings = offsetsOf(given.ring_offsets, given.ring_count, given.point_count, "ring_offsets");
-  if (!rings) return tl::unexpected(rings.error());
-  auto polygons = offsetsOf(given.polygon_offsets, given.polygon_count, given.ring_count, "polygon_offsets");
-  if (!polygons) return tl::unexpected(polygons.error());
+  VORPIPE_VAR(rings, offsetsOf(given.ring_offsets, given.ring_count, given.point_count, "ring_offsets"));
+  VORPIPE_VAR(polygons,
+              offsetsOf(given.polygon_offsets, given.polygon_count, given.ring_count, "polygon_offsets"));
   Outline outline;
-  outline.ring_offsets = std::move(*rings);
-  outline.polygon_offsets = std::move(*polygons);
+  outline.ring_offsets = std::move(rings);
+  outline.polygon_offsets = std::move(polygons);
   outline.points.reserve(given.point_count);
   for (std::uint64_t k = 0; k < given.point_count; ++k) {
     outline.points.push_back({given.points[2 * k], given.points[2 * k + 1]});
@@ -174,14 +173,13 @@ vorpipe_code setOutline(vorpipe_input& input, Result<OutlineFile> given, std::st
 
 Result<std::shared_ptr<const PlacedInput>> placedInput(const vorpipe_input& input) {
   if (input.placed != nullptr) return withDensity(input);
-  auto placed = input.kept != nullptr ? keptFor(input) : foundFor(input);
-  if (!placed) return tl::unexpected(std::move(placed.error()));
-  std::vector<std::string> notes = std::exchange(placed->domain.notes, {});
+  VORPIPE_VAR(placed, input.kept != nullptr ? keptFor(input) : foundFor(input));
+  std::vector<std::string> notes = std::exchange(placed.domain.notes, {});
   if (std::string renamed = renamingNote(*input.attributes); !renamed.empty()) {
     notes.push_back(std::move(renamed));
   }
   addNotes(input, std::move(notes));
-  input.placed = std::make_shared<const PlacedInput>(std::move(*placed));
+  input.placed = std::make_shared<const PlacedInput>(std::move(placed));
   return withDensity(input);
 }
 

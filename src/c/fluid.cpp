@@ -28,9 +28,8 @@ constexpr std::uint64_t usual_parcels = 2048;
 /// Replaces options that are not zero in `wanted`.
 Result<void> takeOptions(const vorpipe_fluid_options& wanted, FluidOptions& options) {
   const std::array schemes{options.scheme, FluidScheme::springs, FluidScheme::projection};
-  const auto scheme = chosen(schemes, wanted.scheme, "scheme");
-  if (!scheme) return tl::unexpected(scheme.error());
-  options.scheme = *scheme;
+  VORPIPE_LET(scheme, chosen(schemes, wanted.scheme, "scheme"));
+  options.scheme = scheme;
   if (wanted.step != 0) options.step = wanted.step;
   if (wanted.epsilon != 0) options.epsilon = wanted.epsilon;
   if (wanted.until != 0) options.until = wanted.until;
@@ -65,12 +64,11 @@ Result<FluidSetup> fluidSetup(const vorpipe_input& input, const PlacedInput& pla
   if (hasArrays(wanted) && wanted.count != count) {
     return inputError(fmt::format("count: {} for {} sites", wanted.count, count));
   }
-  auto cells = movingOptions(input, placed, wanted.search, wanted.search_neighbors);
-  if (!cells) return tl::unexpected(std::move(cells.error()));
+  VORPIPE_VAR(cells, movingOptions(input, placed, wanted.search, wanted.search_neighbors));
   FluidSetup setup{};
-  setup.options.domain = cells->domain;
-  setup.options.periodic = cells->periodic;
-  setup.options.search = cells->search;
+  setup.options.domain = cells.domain;
+  setup.options.periodic = cells.periodic;
+  setup.options.search = cells.search;
   setup.options.surface = input.surface;
   setup.state.sites = *placed.sites;
   setup.state.velocity = numbersOf<Point>(wanted.velocities, count);
@@ -94,9 +92,8 @@ Result<FluidSetup> fluidSetup(const std::string& name, std::uint64_t parcels,
   auto setup =
       named ? Result<FluidSetup>(fluidCase(*named, parcels == 0 ? usual_parcels : parcels)) : readFluid(name);
   if (!setup) return setup;
-  const auto search = searchOf(wanted.search, wanted.search_neighbors);
-  if (!search) return tl::unexpected(search.error());
-  setup->options.search = *search;
+  VORPIPE_LET(search, searchOf(wanted.search, wanted.search_neighbors));
+  setup->options.search = search;
   VORPIPE_TRY(takeOptions(wanted, setup->options));
   return setup;
 }
@@ -123,39 +120,32 @@ vorpipe_fluid_figures figuresOf(const FluidStep& step) {
 
 Result<vorpipe_fluid*> begun(vorpipe_session& session, vorpipe_input input,
                              std::shared_ptr<const PlacedInput> placed, FluidSetup setup) {
-  auto fluid = Fluid::begin(session.session, std::move(setup.state), std::move(setup.options));
-  if (!fluid) return tl::unexpected(std::move(fluid.error()));
-  return new vorpipe_fluid{&session, std::move(placed), std::move(input), std::move(*fluid)};
+  VORPIPE_VAR(fluid, Fluid::begin(session.session, std::move(setup.state), std::move(setup.options)));
+  return new vorpipe_fluid{&session, std::move(placed), std::move(input), std::move(fluid)};
 }
 
 Result<vorpipe_fluid*> begun(vorpipe_session& session, const vorpipe_input& input,
                              const vorpipe_fluid_options* given) {
-  const auto wanted = taken(given, "vorpipe_fluid_options");
-  if (!wanted) return tl::unexpected(wanted.error());
-  auto placed = placedInput(input);
-  if (!placed) return tl::unexpected(placed.error());
-  auto setup = fluidSetup(input, **placed, *wanted);
-  if (!setup) return tl::unexpected(std::move(setup.error()));
-  return begun(session, input, std::move(*placed), std::move(*setup));
+  VORPIPE_LET(wanted, taken(given, "vorpipe_fluid_options"));
+  VORPIPE_VAR(placed, placedInput(input));
+  VORPIPE_VAR(setup, fluidSetup(input, *placed, wanted));
+  return begun(session, input, std::move(placed), std::move(setup));
 }
 
 Result<vorpipe_fluid*> read(vorpipe_session& session, const std::string& name, std::uint64_t parcels,
                             const vorpipe_fluid_options* given) {
-  const auto wanted = taken(given, "vorpipe_fluid_options");
-  if (!wanted) return tl::unexpected(wanted.error());
-  auto setup = fluidSetup(name, parcels, *wanted);
-  if (!setup) return tl::unexpected(std::move(setup.error()));
+  VORPIPE_LET(wanted, taken(given, "vorpipe_fluid_options"));
+  VORPIPE_VAR(setup, fluidSetup(name, parcels, wanted));
   vorpipe_input input;
-  input.sites = std::make_shared<const Sites>(setup->state.sites);
+  input.sites = std::make_shared<const Sites>(setup.state.sites);
   input.attributes = std::make_shared<const std::vector<Attribute>>();
   input.name = name;
   input.from = SitesFrom::generator;
-  input.domain.box = setup->options.domain;
-  input.periodic = setup->options.periodic;
-  input.surface = setup->options.surface;
-  auto placed = placedInput(input);
-  if (!placed) return tl::unexpected(placed.error());
-  return begun(session, input, std::move(*placed), std::move(*setup));
+  input.domain.box = setup.options.domain;
+  input.periodic = setup.options.periodic;
+  input.surface = setup.options.surface;
+  VORPIPE_VAR(placed, placedInput(input));
+  return begun(session, input, std::move(placed), std::move(setup));
 }
 
 Result<vorpipe_array> arrayOf(const vorpipe_fluid& fluid, vorpipe_fluid_field field) {
@@ -198,20 +188,18 @@ Result<bool> step(vorpipe_fluid& fluid) {
 /// Between steps, when the caller's watcher runs, the session is free.
 Result<void> run(vorpipe_fluid& run, const vorpipe_fluid_run_options* given) {
   const Fluid& fluid = run.fluid;
-  const auto wanted = taken(given, "vorpipe_fluid_run_options");
-  if (!wanted) return tl::unexpected(wanted.error());
+  VORPIPE_LET(wanted, taken(given, "vorpipe_fluid_run_options"));
   constexpr double never = std::numeric_limits<double>::infinity();
   const double usual = fluid.end() == FluidEnd::time ? never : fluid.options().until;
-  const double until = wanted->has_until != 0 ? wanted->until : usual;
-  if (until == never && wanted->steps == 0) {
+  const double until = wanted.has_until != 0 ? wanted.until : usual;
+  if (until == never && wanted.steps == 0) {
     return inputError("until: name when to end, or a number of steps");
   }
   VORPIPE_TRY(goOn(run, until));
-  const auto goes_on = watcherOf(wanted->watch, wanted->watch_user, &figuresOf);
-  for (std::uint64_t done = 0; wanted->steps == 0 || done < wanted->steps; ++done) {
-    const auto more = step(run);
-    if (!more) return tl::unexpected(more.error());
-    if (!*more || !goes_on(fluid.last())) break;
+  const auto goes_on = watcherOf(wanted.watch, wanted.watch_user, &figuresOf);
+  for (std::uint64_t done = 0; wanted.steps == 0 || done < wanted.steps; ++done) {
+    VORPIPE_LET(more, step(run));
+    if (!more || !goes_on(fluid.last())) break;
   }
   return {};
 }

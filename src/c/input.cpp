@@ -47,16 +47,15 @@ Result<vorpipe_input> inputOf(Sites sites) {
 
 /// Makes an input with sites of a file or a generator.
 Result<vorpipe_input> inputOf(const std::string& spec, std::uint64_t seed, const ReadOptions& options) {
-  auto source = loadSites(spec, seed, options);
-  if (!source) return tl::unexpected(std::move(source.error()));
-  SiteTable& table = source->table;
+  VORPIPE_VAR(source, loadSites(spec, seed, options));
+  SiteTable& table = source.table;
   vorpipe_input input;
   input.sites = std::make_shared<const Sites>(std::move(table.sites));
   input.attributes = std::make_shared<const std::vector<Attribute>>(std::move(table.attributes));
   input.system = std::move(table.system);
   input.name = spec;
-  input.from = source->generator ? SitesFrom::generator : SitesFrom::file;
-  input.generator = source->generator;
+  input.from = source.generator ? SitesFrom::generator : SitesFrom::file;
+  input.generator = source.generator;
   input.skipped = table.skipped;
   input.notes.assign(table.notes.begin(), table.notes.end());
   return input;
@@ -136,9 +135,8 @@ Result<Attribute> attributeOf(const char* name, vorpipe_attribute_type type, con
                               std::uint64_t count) {
   constexpr std::array types{AttributeType::text,    AttributeType::integer, AttributeType::real,
                              AttributeType::boolean, AttributeType::text,    AttributeType::json};
-  const auto known = chosen(types, type, "type");
-  if (!known) return tl::unexpected(known.error());
-  Attribute attribute(name, *known);
+  VORPIPE_LET(known, chosen(types, type, "type"));
+  Attribute attribute(name, known);
   for (std::uint64_t site = 0; site < count; ++site) {
     const auto& [data, size] = values[site];
     attribute.add(data == nullptr ? std::nullopt : std::optional(std::string_view(data, size)));

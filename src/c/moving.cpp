@@ -16,19 +16,16 @@ namespace {
 
 Result<RelaxOptions> relaxOptions(const vorpipe_input& input, const PlacedInput& placed,
                                   const vorpipe_relax_options* given) {
-  const auto wanted = taken(given, "vorpipe_relax_options");
-  if (!wanted) return tl::unexpected(wanted.error());
+  VORPIPE_LET(wanted, taken(given, "vorpipe_relax_options"));
   constexpr std::array methods{RelaxMethod::lbfgs, RelaxMethod::lloyd};
-  const auto method = chosen(methods, wanted->method, "method");
-  if (!method) return tl::unexpected(method.error());
-  auto cells = movingOptions(input, placed, wanted->search, wanted->search_neighbors);
-  if (!cells) return tl::unexpected(std::move(cells.error()));
-  auto options = optionsWith<RelaxOptions>(std::move(*cells));
-  options.equal_masses = wanted->equal_masses != 0;
-  options.method = *method;
-  if (wanted->iterations != 0) options.iterations = wanted->iterations;
-  options.tolerance = wanted->tolerance;
-  options.progress = progressOf(wanted->progress, wanted->progress_user);
+  VORPIPE_LET(method, chosen(methods, wanted.method, "method"));
+  VORPIPE_VAR(cells, movingOptions(input, placed, wanted.search, wanted.search_neighbors));
+  auto options = optionsWith<RelaxOptions>(std::move(cells));
+  options.equal_masses = wanted.equal_masses != 0;
+  options.method = method;
+  if (wanted.iterations != 0) options.iterations = wanted.iterations;
+  options.tolerance = wanted.tolerance;
+  options.progress = progressOf(wanted.progress, wanted.progress_user);
   return options;
 }
 
@@ -91,12 +88,10 @@ Result<TransportOptions> transportOptions(const vorpipe_input& input, const Plac
                                           const vorpipe_transport_options& wanted) {
   VORPIPE_TRY(checkMasses(wanted));
   constexpr std::array surfaces{Surface::none, Surface::free};
-  const auto surface = chosen(surfaces, wanted.surface, "surface");
-  if (!surface) return tl::unexpected(surface.error());
-  auto cells = movingOptions(input, placed, wanted.search, wanted.search_neighbors);
-  if (!cells) return tl::unexpected(std::move(cells.error()));
-  auto options = optionsWith<TransportOptions>(std::move(*cells));
-  options.surface = wanted.fill > 0 ? Surface::free : *surface;
+  VORPIPE_LET(surface, chosen(surfaces, wanted.surface, "surface"));
+  VORPIPE_VAR(cells, movingOptions(input, placed, wanted.search, wanted.search_neighbors));
+  auto options = optionsWith<TransportOptions>(std::move(cells));
+  options.surface = wanted.fill > 0 ? Surface::free : surface;
   if (wanted.masses != nullptr) options.masses.assign(wanted.masses, wanted.masses + wanted.mass_count);
   if (wanted.tolerance != 0) options.tolerance = wanted.tolerance;
   if (wanted.diagrams != 0) options.diagrams = wanted.diagrams;
@@ -132,22 +127,18 @@ std::array<double, 9> rowOf(const TransportStep& step) {
 
 Result<std::unique_ptr<vorpipe_transported>> find(vorpipe_session& session, const vorpipe_input& input,
                                                   const vorpipe_transport_options* given) {
-  const auto wanted = taken(given, "vorpipe_transport_options");
-  if (!wanted) return tl::unexpected(wanted.error());
-  const auto placed = placedInput(input);
-  if (!placed) return tl::unexpected(placed.error());
-  auto options = transportOptions(input, **placed, *wanted);
-  if (!options) return tl::unexpected(std::move(options.error()));
-  const Sites& sites = *(*placed)->sites;
-  if (wanted->normalize != 0 || wanted->fill > 0) {
-    const double part = wanted->fill > 0 ? wanted->fill : 1;
-    VORPIPE_TRY(fillDomain(session.session, sites.size(), part, *options));
+  VORPIPE_LET(wanted, taken(given, "vorpipe_transport_options"));
+  VORPIPE_LET(placed, placedInput(input));
+  VORPIPE_VAR(options, transportOptions(input, *placed, wanted));
+  const Sites& sites = *placed->sites;
+  if (wanted.normalize != 0 || wanted.fill > 0) {
+    const double part = wanted.fill > 0 ? wanted.fill : 1;
+    VORPIPE_TRY(fillDomain(session.session, sites.size(), part, options));
   }
-  auto found =
-      transport(session.session, sites, *options, watcherOf(wanted->watch, wanted->watch_user, &toldOf));
-  if (!found) return tl::unexpected(std::move(found.error()));
+  VORPIPE_VAR(
+      found, transport(session.session, sites, options, watcherOf(wanted.watch, wanted.watch_user, &toldOf)));
   auto made = std::make_unique<vorpipe_transported>(
-      vorpipe_transported{*placed, input, options->surface, std::move(*found)});
+      vorpipe_transported{placed, input, options.surface, std::move(found)});
   made->centroids = made->found.cells.centroid;
   const auto& projection = made->placed->domain.projection;
   for (Point& place : made->centroids) place = projection ? projection->toDegrees(place) : place;

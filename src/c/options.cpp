@@ -18,13 +18,11 @@ Result<void> takeLooks(const PlacedInput& placed, const vorpipe_render_options& 
                        RenderOptions& options) {
   constexpr std::array scales{ColorScale::automatic, ColorScale::linear, ColorScale::log,
                               ColorScale::quantile};
-  const auto scale = chosen(scales, given.color_scale, "color_scale");
-  if (!scale) return tl::unexpected(scale.error());
+  VORPIPE_LET(scale, chosen(scales, given.color_scale, "color_scale"));
   const std::array fits{usualFit(placed.domain), Fit::stretch, Fit::letterbox};
-  const auto fit = chosen(fits, given.fit, "fit");
-  if (!fit) return tl::unexpected(fit.error());
-  options.color_scale = *scale;
-  options.fit = *fit;
+  VORPIPE_LET(fit, chosen(fits, given.fit, "fit"));
+  options.color_scale = scale;
+  options.fit = fit;
   if (given.has_range != 0) options.color_range = ColorRange{given.range_low, given.range_high};
   options.legend = given.legend != 0;
   if (given.edge_width != 0) options.edge_width = given.edge_width;
@@ -41,10 +39,9 @@ Result<void> takeLooks(const PlacedInput& placed, const vorpipe_render_options& 
 
 Result<SearchOptions> searchOf(vorpipe_search search, std::int32_t neighbors) {
   constexpr std::array methods{Search::grid, Search::flann};
-  const auto method = chosen(methods, search, "search");
-  if (!method) return tl::unexpected(method.error());
+  VORPIPE_LET(method, chosen(methods, search, "search"));
   SearchOptions options;
-  options.method = *method;
+  options.method = method;
   if (neighbors != 0) options.neighbors = neighbors;
   return options;
 }
@@ -87,52 +84,46 @@ Result<int> threadsOf(std::int32_t threads) {
 
 Result<CellsOptions> cellsOptions(const vorpipe_input& input, const PlacedInput& placed,
                                   const vorpipe_cells_options* given) {
-  const auto taken_options = taken(given, "vorpipe_cells_options");
-  if (!taken_options) return tl::unexpected(taken_options.error());
+  VORPIPE_LET(taken_options, taken(given, "vorpipe_cells_options"));
   constexpr std::array details{Detail::everything, Detail::measures, Detail::polygons};
-  const auto detail = chosen(details, taken_options->detail, "detail");
-  if (!detail) return tl::unexpected(detail.error());
-  const auto search = searchOf(taken_options->search, taken_options->search_neighbors);
-  if (!search) return tl::unexpected(search.error());
+  VORPIPE_LET(detail, chosen(details, taken_options.detail, "detail"));
+  VORPIPE_LET(search, searchOf(taken_options.search, taken_options.search_neighbors));
   CellsOptions options{};
   options.domain = placed.domain.domain;
   options.outline = placed.domain.outline;
   options.periodic = placed.domain.periodic;
   options.density = input.density;
-  options.search = *search;
-  options.detail = *detail;
-  options.progress = progressOf(taken_options->progress, taken_options->progress_user);
+  options.search = search;
+  options.detail = detail;
+  options.progress = progressOf(taken_options.progress, taken_options.progress_user);
   return options;
 }
 
 Result<RenderOptions> renderOptions(const PlacedInput& placed, const vorpipe_render_options* given) {
-  const auto taken_options = taken(given, "vorpipe_render_options");
-  if (!taken_options) return tl::unexpected(taken_options.error());
+  VORPIPE_LET(taken_options, taken(given, "vorpipe_render_options"));
   constexpr std::array colors{ColorBy::site, ColorBy::area, ColorBy::neighbors, ColorBy::weight};
-  const auto color = chosen(colors, taken_options->color, "color");
-  if (!color) return tl::unexpected(color.error());
-  const auto search = searchOf(taken_options->search, taken_options->search_neighbors);
-  if (!search) return tl::unexpected(search.error());
+  VORPIPE_LET(color, chosen(colors, taken_options.color, "color"));
+  VORPIPE_LET(search, searchOf(taken_options.search, taken_options.search_neighbors));
   RenderOptions options{};
   options.domain = placed.domain.domain;
   options.outline = placed.domain.outline;
   options.periodic = placed.domain.periodic;
-  if (taken_options->has_view != 0) {
-    options.view = Box{taken_options->view_xmin, taken_options->view_ymin, taken_options->view_xmax,
-                       taken_options->view_ymax};
+  if (taken_options.has_view != 0) {
+    options.view = Box{taken_options.view_xmin, taken_options.view_ymin, taken_options.view_xmax,
+                       taken_options.view_ymax};
   }
-  const bool sized = taken_options->width != 0 || taken_options->height != 0;
+  const bool sized = taken_options.width != 0 || taken_options.height != 0;
   const PictureSize size =
-      sized ? PictureSize{taken_options->width, taken_options->height} : defaultSize(shownBox(options));
+      sized ? PictureSize{taken_options.width, taken_options.height} : defaultSize(shownBox(options));
   options.width = size.width;
   options.height = size.height;
-  options.color = *color;
-  if (taken_options->colormap != nullptr) options.colormap = taken_options->colormap;
-  options.edges = taken_options->edges != 0;
-  options.show_sites = taken_options->show_sites != 0;
-  options.search = *search;
-  options.progress = progressOf(taken_options->progress, taken_options->progress_user);
-  VORPIPE_TRY(takeLooks(placed, *taken_options, options));
+  options.color = color;
+  if (taken_options.colormap != nullptr) options.colormap = taken_options.colormap;
+  options.edges = taken_options.edges != 0;
+  options.show_sites = taken_options.show_sites != 0;
+  options.search = search;
+  options.progress = progressOf(taken_options.progress, taken_options.progress_user);
+  VORPIPE_TRY(takeLooks(placed, taken_options, options));
   if (options.color == ColorBy::weight && placed.sites->weight.empty()) {
     return tl::unexpected(Error{ErrorCode::input, "color: weight needs weights", false, Subject::weights});
   }

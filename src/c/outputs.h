@@ -22,10 +22,9 @@ inline CallbackSink sinkOf(std::string name, vorpipe_write write, void* user) {
 /// Creates a file, lets `write` fill it, and puts it in place. Errors: those of OutputFile and of `write`.
 template <class Write>
 Result<void> save(const std::string& path, const Write& write) {
-  auto file = OutputFile::create(path);
-  if (!file) return tl::unexpected(file.error());
-  VORPIPE_TRY(write(*file));
-  return file->commit();
+  VORPIPE_VAR(file, OutputFile::create(path));
+  VORPIPE_TRY(write(file));
+  return file.commit();
 }
 
 /// Moved sites with their original input.

@@ -98,17 +98,14 @@ Result<const PictureFormat*> shapesFormatOf(const std::string& path) {
 /// Finds the cells, and writes them as a picture.
 Result<void> draw(vorpipe_session& session, const vorpipe_input& input, const vorpipe_render_options* given,
                   const PictureFormat& format, ByteSink& to) {
-  const auto placed = placedInput(input);
-  if (!placed) return tl::unexpected(placed.error());
-  const auto options = renderOptions(**placed, given);
-  if (!options) return tl::unexpected(options.error());
-  VORPIPE_TRY(checkPicture(*options));
-  CellsOptions cells = cellsOptions(*options);
+  VORPIPE_LET(placed, placedInput(input));
+  VORPIPE_LET(options, renderOptions(*placed, given));
+  VORPIPE_TRY(checkPicture(options));
+  CellsOptions cells = cellsOptions(options);
   cells.detail = Detail::polygons;
-  const Sites& sites = *(*placed)->sites;
-  const auto found = cellsWith(input.surface, session.session, sites, cells);
-  if (!found) return tl::unexpected(found.error());
-  return format.write(to, {sites, *options, nullptr, &*found, (*placed)->domain.system, session.threads});
+  const Sites& sites = *placed->sites;
+  VORPIPE_LET(found, cellsWith(input.surface, session.session, sites, cells));
+  return format.write(to, {sites, options, nullptr, &found, placed->domain.system, session.threads});
 }
 
 }  // namespace

@@ -136,9 +136,8 @@ class Reconciliation {
       const auto disputes = fallback_ == Fallback::ties ? Disputes::are_ties : Disputes::are_listed;
       auto tied = resolveTies(proposed, suspect_, fineness_, disputes, records_);
       if (!tied) return tied;
-      const auto done = repair(proposed, *tied);
-      if (!done) return tl::unexpected(done.error());
-      if (*done) {
+      VORPIPE_LET(done, repair(proposed, *tied));
+      if done {
         recordTiedCells(proposed, *tied, records_);
         return tied;
       }
@@ -262,9 +261,8 @@ Result<AgreedCells> agree(const SearchInput& input, NeighborRows rows, const Sit
                           const Box& domain, std::span<double> spread, Report& report) {
   AgreedCells agreed{std::move(rows), makeRecords(run.prepared, sites), {}};
   const Records records{run.prepared.set, Unscale(run.prepared.exponent), agreed.records, spread};
-  auto tied = reconcile(input, agreed.rows, records, domain, report);
-  if (!tied) return tl::unexpected(tied.error());
-  agreed.tied = std::move(*tied);
+  VORPIPE_VAR(tied, reconcile(input, agreed.rows, records, domain, report));
+  agreed.tied = std::move(tied);
   return agreed;
 }
 
@@ -283,9 +281,8 @@ void keepSitesWithoutCells(const Sites& sites, int threads, Diagram& diagram) {
 Result<AgreedCells> agreeOnCells(const Machine& machine, SiteRun& run, const Sites& sites,
                                  const CellsOptions& options, std::span<double> spread, Report& report) {
   const SearchInput input = inputOf(machine, run, options);
-  auto rows = findNeighbors(input, report);
-  if (!rows) return tl::unexpected(rows.error());
-  return agree(input, std::move(*rows), run, sites, options.domain, spread, report);
+  VORPIPE_VAR(rows, findNeighbors(input, report));
+  return agree(input, std::move(rows), run, sites, options.domain, spread, report);
 }
 
 Result<std::optional<AgreedCells>> agreeUnlessEmpty(const Machine& machine, SiteRun& run, const Sites& sites,
@@ -293,12 +290,10 @@ Result<std::optional<AgreedCells>> agreeUnlessEmpty(const Machine& machine, Site
                                                     Report& report) {
   if (run.prepared.set.size() < sites.size()) return std::nullopt;  // A duplicate has no cell.
   const SearchInput input = inputOf(machine, run, options);
-  auto rows = findNeighborsUnlessEmpty(input, report);
-  if (!rows) return tl::unexpected(rows.error());
-  if (!*rows) return std::nullopt;
-  auto agreed = agree(input, std::move(**rows), run, sites, options.domain, spread, report);
-  if (!agreed) return tl::unexpected(agreed.error());
-  return std::optional(std::move(*agreed));
+  VORPIPE_VAR(rows, findNeighborsUnlessEmpty(input, report));
+  if (!rows) return std::nullopt;
+  VORPIPE_VAR(agreed, agree(input, std::move(*rows), run, sites, options.domain, spread, report));
+  return std::optional(std::move(agreed));
 }
 
 Result<Diagram> boxDiagramOn(const Machine& machine, SiteRun& run, const Sites& sites,
@@ -308,20 +303,18 @@ Result<Diagram> boxDiagramOn(const Machine& machine, SiteRun& run, const Sites& 
   const Stopwatch watch;
   const int threads = machine.threads;
   const SiteSet& set = run.prepared.set;
-  auto agreed = agreeOnCells(machine, run, sites, options, {}, diagram.report);
-  if (!agreed) return tl::unexpected(agreed.error());
-  takeRecords(agreed->records, options.detail, threads, diagram);
-  BigVector<CellRecord>().swap(agreed->records);  // assigning an empty one would keep the memory
+  VORPIPE_VAR(agreed, agreeOnCells(machine, run, sites, options, {}, diagram.report));
+  takeRecords(agreed.records, options.detail, threads, diagram);
+  BigVector<CellRecord>().swap(agreed.records);  // assigning an empty one would keep the memory
   if (diagram.report.empty > 0) keepSitesWithoutCells(sites, threads, diagram);
   if (!set.weight.empty()) diagram.report.hidden = diagram.report.empty;
   {
-    const EdgeIndex index(agreed->rows, threads);
-    const ProposedCells cells{set, agreed->rows, index, threads};
-    writeEdges(cells, agreed->tied, options.detail, Unscale(run.prepared.exponent), diagram);
-    if (options.detail == Detail::everything)
-      diagram.triangles = dualTriangles(cells, agreed->tied, run.mesh);
+    const EdgeIndex index(agreed.rows, threads);
+    const ProposedCells cells{set, agreed.rows, index, threads};
+    writeEdges(cells, agreed.tied, options.detail, Unscale(run.prepared.exponent), diagram);
+    if (options.detail == Detail::everything) diagram.triangles = dualTriangles(cells, agreed.tied, run.mesh);
   }
-  run.cells = std::move(agreed->rows);
+  run.cells = std::move(agreed.rows);
   diagram.owner = std::move(run.prepared.owner);
   times.cells = 1e3 * watch.seconds() - std::max(times.upload, 0.0) - std::max(times.search, 0.0);
   nameDevice(machine.backend, diagram.report);

@@ -103,19 +103,17 @@ Result<void> CellLadder::findLeft(const Indices& which, NeighborRows& rows) {
     in_double_ += which.size();
     return {};
   }
-  auto judged = askJudge(which);
-  if (!judged) return tl::unexpected(judged.error());
-  rows.add(judged->which, std::move(judged->found));
+  VORPIPE_VAR(judged, askJudge(which));
+  rows.add(judged.which, std::move(judged.found));
   return {};
 }
 
 Result<CellResults> CellLadder::askJudge(Indices which) {
   const Stopwatch watch;
-  auto found = input_.judge.find(which, Precision::in_double, input_.threads, input_.progress, exact_);
-  if (!found) return tl::unexpected(found.error());
+  VORPIPE_VAR(found, input_.judge.find(which, Precision::in_double, input_.threads, input_.progress, exact_));
   if (!which.empty()) judge_seconds_ += watch.seconds();
   in_double_ += which.size();
-  return CellResults{std::move(which), std::move(*found)};
+  return CellResults{std::move(which), std::move(found)};
 }
 
 Result<void> CellLadder::runGrid(const Ask& ask) {
@@ -218,16 +216,14 @@ Result<void> CellLadder::runLists(const Ask& ask) {
   const auto first = begins_large_ ? Effort::roomy : Effort::fast;
   Indices pending = on_device_;
   for (auto k = std::min<std::size_t>(static_cast<std::size_t>(input_.search.neighbors), most);; k *= 2) {
-    auto outcome = tryLists(pending, k, first, ask);
-    if (!outcome) return tl::unexpected(outcome.error());
-    if (!outcome->overflowed.empty()) {
-      retried_ += outcome->overflowed.size();
-      const auto again = tryLists(outcome->overflowed, k, Effort::roomy, ask);
-      if (!again) return tl::unexpected(again.error());
-      outcome->unsecured.insert(outcome->unsecured.end(), again->unsecured.begin(), again->unsecured.end());
+    VORPIPE_VAR(outcome, tryLists(pending, k, first, ask));
+    if (!outcome.overflowed.empty()) {
+      retried_ += outcome.overflowed.size();
+      VORPIPE_LET(again, tryLists(outcome.overflowed, k, Effort::roomy, ask));
+      outcome.unsecured.insert(outcome.unsecured.end(), again.unsecured.begin(), again.unsecured.end());
     }
-    const bool helped = k < FlannSearch::usual_neighbors || 2 * outcome->unsecured.size() <= pending.size();
-    pending = std::move(outcome->unsecured);
+    const bool helped = k < FlannSearch::usual_neighbors || 2 * outcome.unsecured.size() <= pending.size();
+    pending = std::move(outcome.unsecured);
     if (pending.empty() || !helped || 2 * k > most) break;
     retried_ += pending.size();
   }

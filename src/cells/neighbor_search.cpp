@@ -184,9 +184,8 @@ Result<std::optional<NeighborRows>> findRows(const SearchInput& input, AtEmpty a
 Result<void> findAgain(const SearchInput& input, const std::vector<std::uint32_t>& which, Precision precision,
                        NeighborRows& rows) {
   std::uint64_t exact = 0;
-  auto found = input.judge.find(which, precision, input.threads, input.progress, exact);
-  if (!found) return tl::unexpected(found.error());
-  rows.add(which, std::move(*found));
+  VORPIPE_VAR(found, input.judge.find(which, precision, input.threads, input.progress, exact));
+  rows.add(which, std::move(found));
   proveEmpty(input.sites, which, input.threads, rows);
   return {};
 }
@@ -199,9 +198,8 @@ bool findAllInMesh(const SearchInput& input, NeighborRows& rows) {
 }
 
 Result<NeighborRows> findNeighbors(const SearchInput& input, Report& report) {
-  auto rows = findRows(input, AtEmpty::ignore, report);
-  if (!rows) return tl::unexpected(rows.error());
-  return std::move(**rows);
+  VORPIPE_VAR(rows, findRows(input, AtEmpty::ignore, report));
+  return std::move(*rows);
 }
 
 Result<std::optional<NeighborRows>> findNeighborsUnlessEmpty(const SearchInput& input, Report& report) {

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "backend/exact_tier.h"
+#include "base/try.h"
 #include "cells/judge.h"
 #include "sites/site_set.h"
 
@@ -48,9 +49,8 @@ struct SiteRun {
 /// Prepares sites for a machine. Errors: those of prepare, which name the sites of `callers` if given.
 inline Result<std::unique_ptr<SiteRun>> beginRun(const Machine& machine, const Sites& sites,
                                                  const Box& domain, const CallersSites* callers = nullptr) {
-  auto prepared = prepare(sites, domain, machine.threads, callers);
-  if (!prepared) return tl::unexpected(prepared.error());
-  return std::make_unique<SiteRun>(std::move(*prepared), machine);
+  VORPIPE_VAR(prepared, prepare(sites, domain, machine.threads, callers));
+  return std::make_unique<SiteRun>(std::move(prepared), machine);
 }
 
 }  // namespace vorpipe::core

@@ -10,6 +10,7 @@
 
 #include "base/disjoint_sets.h"
 #include "base/parallel.h"
+#include "base/try.h"
 #include "vorpipe.h"
 
 namespace vorpipe {
@@ -205,15 +206,13 @@ Result<Topology> topologyOf(const Diagram& diagram, int threads) {
               fmt::format("the diagram has {} neighbors and {} vertices: topology takes Detail::polygons",
                           diagram.neighbors.size(), diagram.vertices.size())});
   }
-  auto distinct = distinctPoints(diagram.vertices);
-  if (!distinct) return tl::unexpected(distinct.error());
+  VORPIPE_VAR(distinct, distinctPoints(diagram.vertices));
   Topology topology;
-  topology.vertices = std::move(distinct->points);
-  topology.vertex_of = std::move(distinct->index_of);
-  auto twins = findTwins(diagram, topology.vertex_of, threads);
-  if (!twins) return tl::unexpected(twins.error());
-  if (!diagram.neighbor_shifts.empty()) joinCopies(diagram, *twins, topology);
-  topology.edge_of = std::move(*twins);
+  topology.vertices = std::move(distinct.points);
+  topology.vertex_of = std::move(distinct.index_of);
+  VORPIPE_VAR(twins, findTwins(diagram, topology.vertex_of, threads));
+  if (!diagram.neighbor_shifts.empty()) joinCopies(diagram, twins, topology);
+  topology.edge_of = std::move(twins);
   numberEdges(diagram, topology);
   return topology;
 }

@@ -7,6 +7,7 @@
 #include <new>
 #include <span>
 
+#include "base/try.h"
 #include "check/outline.h"
 #include "check/places.h"
 
@@ -224,10 +225,9 @@ namespace vorpipe {
 Result<std::vector<std::string>> check(const Sites& sites, const CellsOptions& options,
                                        const Diagram& diagram, int threads) {
   try {
-    const auto inside = core::checks::wrappedIfPeriodic(sites, options.domain, options.periodic, threads);
-    if (!inside) return tl::unexpected(inside.error());
+    VORPIPE_LET(inside, core::checks::wrappedIfPeriodic(sites, options.domain, options.periodic, threads));
     return core::checks::brokenBy(
-        core::checks::CheckedCells(*inside ? **inside : sites, options, diagram, threads));
+        core::checks::CheckedCells(inside ? *inside : sites, options, diagram, threads));
   } catch (const std::bad_alloc&) {
     return tl::unexpected(Error{ErrorCode::device, "there is not enough memory to check the cells"});
   }

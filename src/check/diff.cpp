@@ -314,13 +314,11 @@ Result<IdDiff> diffIds(Ids a, Ids b, const Sites& sites, const RenderOptions& op
   };
   const Box& box = shownBox(options);
   if (options.periodic == Periodic::none) return compareBy(BisectorDistance(sites, box, of_view));
-  const auto inside = wrapped(sites, domain, options.periodic);
-  if (!inside) return tl::unexpected(inside.error());
+  VORPIPE_LET(inside, wrapped(sites, domain, options.periodic));
   // Corners are rounded as sides of the domain are: this makes images of twins twins.
-  const auto corners = core::checks::placedCorners(domain, options.periodic);
-  if (!corners) return tl::unexpected(corners.error());
-  const auto& [low, high] = *corners;
-  return compareBy(BisectorDistance(*inside, box, of_view,
+  VORPIPE_LET(corners, core::checks::placedCorners(domain, options.periodic));
+  const auto& [low, high] = corners;
+  return compareBy(BisectorDistance(inside, box, of_view,
                                     {options.periodic == Periodic::y ? 0 : high.x - low.x,
                                      options.periodic == Periodic::x ? 0 : high.y - low.y}));
 }

@@ -1,4 +1,5 @@
 #include "check/nearest_site.h"
+#include "base/try.h"
 
 #include <nanoflann.hpp>
 
@@ -280,10 +281,9 @@ Result<std::optional<Sites>> wrappedIfPeriodic(const Sites& sites, const Box& do
 }
 
 Result<std::array<Point, 2>> placedCorners(const Box& domain, Periodic periodic) {
-  const auto corners =
-      wrapped({{domain.xmin, domain.xmax}, {domain.ymin, domain.ymax}, {}}, domain, periodic);
-  if (!corners) return tl::unexpected(corners.error());
-  return std::array{Point{corners->x[0], corners->y[0]}, Point{corners->x[1], corners->y[1]}};
+  VORPIPE_LET(corners,
+              wrapped({{domain.xmin, domain.xmax}, {domain.ymin, domain.ymax}, {}}, domain, periodic));
+  return std::array{Point{corners.x[0], corners.y[0]}, Point{corners.x[1], corners.y[1]}};
 }
 
 NearImage nearestImage(const CheckedSites& run, const NearestSite& nearest, Point p) {

@@ -184,9 +184,8 @@ Result<std::vector<std::string>> check(const Sites& sites, const RenderOptions& 
                                        const Rendering& rendering, int threads) {
   try {
     VORPIPE_TRY(checkView(options));
-    const auto inside = core::checks::wrappedIfPeriodic(sites, options.domain, options.periodic, threads);
-    if (!inside) return tl::unexpected(inside.error());
-    core::checks::CheckedSites run(*inside ? **inside : sites, options.domain, options.periodic, threads);
+    VORPIPE_LET(inside, core::checks::wrappedIfPeriodic(sites, options.domain, options.periodic, threads));
+    core::checks::CheckedSites run(inside ? *inside : sites, options.domain, options.periodic, threads);
     run.countFromCorner();
     if (!options.outline.empty()) run.outline = &options.outline;
     return core::checks::brokenBy(run, options, rendering);

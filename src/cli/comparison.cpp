@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
+#include "base/try.h"
 #include "cli/stats.h"
 #include "io/base/field_text.h"
 
@@ -134,11 +135,9 @@ Result<std::vector<PairDiff>> comparePairs(const std::vector<BackendRun>& runs, 
   for (std::size_t a = 0; a < runs.size(); ++a) {
     for (std::size_t b = a + 1; b < runs.size(); ++b) {
       const Rendering &left = runs[a].rendering, &right = runs[b].rendering;
-      auto pixels = diffIds(left.image.ids, right.image.ids, input.sites, options);
-      if (!pixels) return tl::unexpected(std::move(pixels.error()));
-      auto cells = diffCells(runs[a].cells, runs[b].cells);
-      if (!cells) return tl::unexpected(std::move(cells.error()));
-      pairs.push_back({a, b, std::move(*pixels), differentStatuses(left, right), std::move(*cells)});
+      VORPIPE_VAR(pixels, diffIds(left.image.ids, right.image.ids, input.sites, options));
+      VORPIPE_VAR(cells, diffCells(runs[a].cells, runs[b].cells));
+      pairs.push_back({a, b, std::move(pixels), differentStatuses(left, right), std::move(cells)});
     }
   }
   return pairs;

@@ -122,24 +122,21 @@ Result<Drawing> draw(Surface surface, Session& session, const Sites& sites, cons
   const bool is_free = surface == Surface::free;
   Drawing drawing;
   if (needs.pixels) {
-    auto pixels = session.render(sites, options);
-    if (!pixels) return tl::unexpected(std::move(pixels.error()));
+    VORPIPE_VAR(pixels, session.render(sites, options));
     if (is_free) {
-      VORPIPE_TRY(takeOutAir(sites, options, pixels->image, session.threads()));
+      VORPIPE_TRY(takeOutAir(sites, options, pixels.image, session.threads()));
     } else {
-      drawing.key = pixels->key;
+      drawing.key = pixels.key;
     }
-    drawing.pixels = std::move(*pixels);
+    drawing.pixels = std::move(pixels);
   }
   if (needs.cells) {
-    auto cells = cellsWith(surface, session, sites, shapesOptions(options));
-    if (!cells) return tl::unexpected(std::move(cells.error()));
-    drawing.cells = std::move(*cells);
+    VORPIPE_VAR(cells, cellsWith(surface, session, sites, shapesOptions(options)));
+    drawing.cells = std::move(cells);
   }
   if (!needs.pixels && !is_free) {
-    auto colors = siteColors(sites, *drawing.cells, options);
-    if (!colors) return tl::unexpected(std::move(colors.error()));
-    drawing.key = std::move(colors->key);
+    VORPIPE_VAR(colors, siteColors(sites, *drawing.cells, options));
+    drawing.key = std::move(colors.key);
   }
   return drawing;
 }

@@ -73,9 +73,8 @@ Result<void> createSeries(const std::string& folder) {
   std::error_code code;
   fs::create_directories(folder, code);
   if (code) return inputError(fmt::format("{}: {}", folder, code.message()));
-  const auto names = namesIn(folder);
-  if (!names) return tl::unexpected(names.error());
-  if (names->empty()) return {};
+  VORPIPE_LET(names, namesIn(folder));
+  if (names.empty()) return {};
   return inputError(folder + ": the folder holds something; a series wants an empty one");
 }
 
@@ -83,10 +82,9 @@ Result<void> createSeries(const std::string& folder) {
 /// steps were written after the checkpoint, and will be overwritten. Errors (input): the folder holds
 /// something else, or a series without this step.
 Result<std::vector<SeriesStep>> continueSeries(const std::string& folder, const FluidState& from) {
-  const auto names = namesIn(folder);
-  if (!names) return tl::unexpected(names.error());
-  if (names->empty()) return createSeries(folder).map([] { return std::vector<SeriesStep>(); });
-  for (const std::string& name : *names) {
+  VORPIPE_LET(names, namesIn(folder));
+  if (names.empty()) return createSeries(folder).map([] { return std::vector<SeriesStep>(); });
+  for (const std::string& name : names) {
     if (name != list_of_series && !stepIn(name)) return strange(folder, name, "a series");
   }
   auto steps = readSeries((fs::path(folder) / list_of_series).string());
@@ -108,12 +106,11 @@ struct NextFrame {
 /// Examines the folder of pictures of every `every` steps, which may be empty. Errors (input): it holds
 /// something else, or not exactly the pictures up to this step.
 Result<NextFrame> continueFrames(const std::string& folder, std::uint64_t step, std::uint64_t every) {
-  const auto names = namesIn(folder);
-  if (!names) return tl::unexpected(names.error());
+  VORPIPE_LET(names, namesIn(folder));
   const std::uint64_t own = 1 + step / every;
-  if (names->empty()) return NextFrame{own, false};
+  if (names.empty()) return NextFrame{own, false};
   std::uint64_t last = 0;
-  for (const std::string& name : *names) {
+  for (const std::string& name : names) {
     const auto number = numberIn(name, "frame-", ".png", 5);
     if (!number) return strange(folder, name, "numbered pictures");
     last = std::max(last, *number);
@@ -127,10 +124,9 @@ Result<NextFrame> continueFrames(const std::string& folder, std::uint64_t step, 
 
 /// Writes a checkpoint, whole or not at all.
 Result<void> saveCheckpoint(const std::string& path, const FluidState& state, const FluidOptions& options) {
-  auto file = OutputFile::create(path);
-  if (!file) return tl::unexpected(std::move(file.error()));
-  VORPIPE_TRY(writeFluid(*file, state, options));
-  return file->commit();
+  VORPIPE_VAR(file, OutputFile::create(path));
+  VORPIPE_TRY(writeFluid(file, state, options));
+  return file.commit();
 }
 
 /// Draws the cells; with a free surface, the air is white.
@@ -142,17 +138,15 @@ Result<Image> drawFluid(Session& session, const FluidState& state, const FluidOp
   // Densities and speeds have scales and ranges like weights.
   if (by_flow) asked.render.color = ColorBy::weight;
   const Input input = inputOf(state, options);
-  auto render = pictureOf(asked, {}, input);
-  if (!render) return tl::unexpected(std::move(render.error()));
-  render->search = options.search;
-  auto drawn = session.render(state.sites, by_flow ? view::ofWhiteCells(*render) : *render);
-  if (!drawn) return tl::unexpected(std::move(drawn.error()));
+  VORPIPE_VAR(render, pictureOf(asked, {}, input));
+  render.search = options.search;
+  VORPIPE_VAR(drawn, session.render(state.sites, by_flow ? view::ofWhiteCells(render) : render));
   if (by_flow) {
-    auto colored = view::colorFlow(state, by, *render, drawn->image);
+    auto colored = view::colorFlow(state, by, render, drawn.image);
     if (!colored) return tl::unexpected(std::move(colored.error()));
   }
-  if (options.surface == Surface::free) whitenAir(state.sites, *render, drawn->image, session.threads());
-  return std::move(drawn->image);
+  if (options.surface == Surface::free) whitenAir(state.sites, render, drawn.image, session.threads());
+  return std::move(drawn.image);
 }
 
 }  // namespace
@@ -193,12 +187,10 @@ Result<void> FluidRecord::openFrames(const FluidState* resumed) {
   const std::string& path = targets_->frames;
   if (path.empty()) return {};
   const bool is_continued = resumed != nullptr && lowerExtension(path) != ".mp4";
-  const auto next = is_continued ? continueFrames(path, resumed->step, targets_->every) : NextFrame{};
-  if (!next) return tl::unexpected(next.error());
-  auto recorder = is_continued ? view::openFrames(path, next->number) : view::openRecorder(path);
-  if (!recorder) return tl::unexpected(std::move(recorder.error()));
-  recorder_ = std::move(*recorder);
-  first_is_drawn_ = next->is_there;
+  VORPIPE_LET(next, is_continued ? continueFrames(path, resumed->step, targets_->every) : NextFrame{});
+  VORPIPE_VAR(recorder, is_continued ? view::openFrames(path, next.number) : view::openRecorder(path));
+  recorder_ = std::move(recorder);
+  first_is_drawn_ = next.is_there;
   return {};
 }
 
@@ -206,17 +198,15 @@ Result<void> FluidRecord::openSeries(const FluidState* resumed) {
   const std::string& path = targets_->series;
   if (path.empty()) return {};
   if (resumed == nullptr) return createSeries(path);
-  auto steps = continueSeries(path, *resumed);
-  if (!steps) return tl::unexpected(std::move(steps.error()));
-  series_ = std::move(*steps);
+  VORPIPE_VAR(steps, continueSeries(path, *resumed));
+  series_ = std::move(steps);
   return {};
 }
 
 Result<void> FluidRecord::add(Session& session, const FluidState& state, const FluidOptions& options) {
   if (recorder_ && !std::exchange(first_is_drawn_, false)) {
-    const auto image = drawFluid(session, state, options, *picture_, targets_->color);
-    if (!image) return tl::unexpected(image.error());
-    VORPIPE_TRY(recorder_->add(*image));
+    VORPIPE_LET(image, drawFluid(session, state, options, *picture_, targets_->color));
+    VORPIPE_TRY(recorder_->add(image));
   }
   if (!targets_->series.empty()) {
     VORPIPE_TRY(addToSeries(session, state, options));
@@ -229,18 +219,15 @@ Result<void> FluidRecord::addToSeries(Session& session, const FluidState& state,
                                       const FluidOptions& options) {
   CellsOptions polygons = cellsOptionsOf(options);
   polygons.detail = Detail::polygons;
-  const auto cells = session.cells(state.sites, polygons);
-  if (!cells) return tl::unexpected(cells.error());
+  VORPIPE_LET(cells, session.cells(state.sites, polygons));
   const std::string name = seriesFileOf(state.step);
-  auto file = OutputFile::create((fs::path(targets_->series) / name).string());
-  if (!file) return tl::unexpected(std::move(file.error()));
-  VORPIPE_TRY(writeFluidStep(*file, state, options, *cells));
-  VORPIPE_TRY(file->commit());
+  VORPIPE_VAR(file, OutputFile::create((fs::path(targets_->series) / name).string()));
+  VORPIPE_TRY(writeFluidStep(file, state, options, cells));
+  VORPIPE_TRY(file.commit());
   if (series_.empty() || series_.back().file != name) series_.push_back({state.time, name});
-  auto list = OutputFile::create((fs::path(targets_->series) / "series.pvd").string());
-  if (!list) return tl::unexpected(std::move(list.error()));
-  VORPIPE_TRY(writeSeries(*list, series_));
-  return list->commit();
+  VORPIPE_VAR(list, OutputFile::create((fs::path(targets_->series) / "series.pvd").string()));
+  VORPIPE_TRY(writeSeries(list, series_));
+  return list.commit();
 }
 
 Result<void> FluidRecord::finish(RunLog& log) {

@@ -33,9 +33,8 @@ std::string rowOf(const FluidStep& step, bool with_times) {
 
 /// Returns the existing trace up to the step of a checkpoint.
 Result<std::string> textUntil(const std::string& path, const FluidState& from) {
-  auto file = InputFile::open(path);
-  if (!file) return tl::unexpected(std::move(file.error()));
-  auto text = readText(*file);
+  VORPIPE_VAR(file, InputFile::open(path));
+  auto text = readText(file);
   if (!text) return text;
   if (!text->starts_with(head)) return inputError(path + ": it is no trace of a fluid; name another file");
   const std::size_t row = text->find(fmt::format("\n{},{},", from.step, from.time));
@@ -63,9 +62,8 @@ Result<FluidTrace> FluidTrace::open(const std::string& path, const FluidState* r
   trace.text_ = trace.timeless_ = head;
   std::error_code none;
   if (path.empty() || resumed == nullptr || !fs::is_regular_file(path, none)) return trace;
-  auto text = textUntil(path, *resumed);
-  if (!text) return tl::unexpected(std::move(text.error()));
-  trace.text_ = trace.timeless_ = std::move(*text);
+  VORPIPE_VAR(text, textUntil(path, *resumed));
+  trace.text_ = trace.timeless_ = std::move(text);
   trace.is_continued_ = true;
   return trace;
 }
@@ -84,14 +82,13 @@ FluidTrace::~FluidTrace() {
 
 /// Replaces an older file, as a whole, by the trace so far; rows follow.
 Result<void> FluidTrace::begin() {
-  auto file = OutputFile::create(path_);
-  if (!file) return tl::unexpected(std::move(file.error()));
-  VORPIPE_TRY(file->write(text_));
-  if (file->target().empty()) {
-    direct_ = std::move(*file);
+  VORPIPE_VAR(file, OutputFile::create(path_));
+  VORPIPE_TRY(file.write(text_));
+  if (file.target().empty()) {
+    direct_ = std::move(file);
     return {};
   }
-  VORPIPE_TRY(file->commit());
+  VORPIPE_TRY(file.commit());
   descriptor_ = ::open(path_.c_str(), O_WRONLY | O_APPEND | O_CLOEXEC);
   if (descriptor_ >= 0) return {};
   return systemError(ErrorCode::device, path_, "cannot be written", errno);

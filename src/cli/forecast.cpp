@@ -6,6 +6,7 @@
 #include <functional>
 #include <numeric>
 
+#include "base/try.h"
 #include "io/base/error.h"
 #include "io/cells/forecast_files.h"
 #include "io/sites/site_source.h"
@@ -165,9 +166,8 @@ Result<std::uint64_t> forecastRun(const InputOptions& options, const Input& inpu
   cells.domain = input.domain;
   cells.outline = input.outline;
   cells.periodic = input.periodic;
-  const auto work = workloadOf(input.sites, cells, purpose, device, backend.threads);
-  if (!work) return tl::unexpected(work.error());
-  return forecast(options, *work, plan, attributeBytes(input), limit, advice);
+  VORPIPE_LET(work, workloadOf(input.sites, cells, purpose, device, backend.threads));
+  return forecast(options, work, plan, attributeBytes(input), limit, advice);
 }
 
 }  // namespace vorpipe::cli

@@ -90,18 +90,15 @@ Result<ResultParts> partsOf(SitesRun& run, const Sites& sites) {
   Session& session = *run.session;
   ResultParts parts{sites};
   if (!targets.pictures.empty()) {
-    auto render = pictureOf(run.command.picture, run.source, *run.input);
-    if (!render) return tl::unexpected(std::move(render.error()));
-    parts.render = std::move(*render);
+    VORPIPE_VAR(render, pictureOf(run.command.picture, run.source, *run.input));
+    parts.render = std::move(render);
     parts.render.search = run.options.search;
-    auto drawing = draw(run.surface, session, sites, parts.render, needsOf(targets.pictures));
-    if (!drawing) return tl::unexpected(std::move(drawing.error()));
-    parts.drawing = std::move(*drawing);
+    VORPIPE_VAR(drawing, draw(run.surface, session, sites, parts.render, needsOf(targets.pictures)));
+    parts.drawing = std::move(drawing);
   }
   if (!targets.cells.empty()) {
-    auto cells = cellsWith(run.surface, session, sites, cellsOptions(run));
-    if (!cells) return tl::unexpected(std::move(cells.error()));
-    parts.cells = std::move(*cells);
+    VORPIPE_VAR(cells, cellsWith(run.surface, session, sites, cellsOptions(run)));
+    parts.cells = std::move(cells);
   }
   parts.placed = placedBack(*run.input, sites);
   Diagram none;
@@ -140,34 +137,30 @@ std::vector<Writer> writersOf(const SitesRun& run, const ResultParts& parts) {
 }  // namespace
 
 Result<void> SitesRun::load(const PlanRun& plan) {
-  auto read = densityOf(command.density);
-  if (!read) return tl::unexpected(std::move(read.error()));
-  density = std::move(*read);
-  const auto sampled = sampledCount(source.sites);
-  if (!sampled) return tl::unexpected(sampled.error());
-  if (*sampled) {
-    VORPIPE_TRY(makeGenerator(source, **sampled, density.density));
+  VORPIPE_VAR(read, densityOf(command.density));
+  density = std::move(read);
+  VORPIPE_LET(sampled, sampledCount(source.sites));
+  if sampled {
+    VORPIPE_TRY(makeGenerator(source, *sampled, density.density));
   }
-  auto loaded = CommandRun::load(source, plan);
-  if (!loaded) return tl::unexpected(std::move(loaded.error()));
-  VORPIPE_TRY(placeUnder(density, command.density, source, *loaded));
-  if (*sampled) {
-    auto sites = drawnFrom(density.density, loaded->domain, loaded->outline, **sampled, source.seed);
+  VORPIPE_VAR(loaded, CommandRun::load(source, plan));
+  VORPIPE_TRY(placeUnder(density, command.density, source, loaded));
+  if sampled {
+    auto sites = drawnFrom(density.density, loaded.domain, loaded.outline, *sampled, source.seed);
     if (!sites) return asOption(std::move(sites.error()), source);
-    loaded->sites.x = std::move(sites->x);
-    loaded->sites.y = std::move(sites->y);
+    loaded.sites.x = std::move(sites->x);
+    loaded.sites.y = std::move(sites->y);
   }
-  input = std::move(*loaded);
+  input = std::move(loaded);
   return {};
 }
 
 Result<void> SitesRun::begin(const PlanRun& plan) {
   VORPIPE_TRY(checkInput(source, *input, cellsOptions(*this), options.backend.threads));
   if (!command.targets.pictures.empty()) {
-    const auto render = pictureOf(command.picture, source, *input);
-    if (!render) return tl::unexpected(render.error());
+    VORPIPE_LET(render, pictureOf(command.picture, source, *input));
     if (surface == Surface::free) {
-      VORPIPE_TRY(checkFreePicture("--picture", *render, needsOf(command.targets.pictures)));
+      VORPIPE_TRY(checkFreePicture("--picture", render, needsOf(command.targets.pictures)));
     }
   }
   awaitResultOnSignals();
@@ -189,28 +182,25 @@ void SitesRun::planFiles(MemoryPlan& plan, const Workload& work) const {
 }
 
 Result<void> SitesRun::write(const Sites& sites, RunOutput output) {
-  const auto parts = partsOf(*this, sites);
-  if (!parts) return tl::unexpected(parts.error());
-  std::vector<Writer> writers = writersOf(*this, *parts);
+  VORPIPE_LET(parts, partsOf(*this, sites));
+  std::vector<Writer> writers = writersOf(*this, parts);
   std::ranges::move(output.writers, std::back_inserter(writers));
   output.writers = std::move(writers);
   output.figures = [&, others = std::move(output.figures)](nlohmann::ordered_json& json) {
-    if (parts->cells) addSums(json, *parts->cells);
+    if (parts.cells) addSums(json, *parts.cells);
     others(json);
   };
   return CommandRun::write(output);
 }
 
 Result<void> SitesRun::writeNumbered(const Sites& sites, std::uint64_t number) {
-  const auto parts = partsOf(*this, sites);
-  if (!parts) return tl::unexpected(parts.error());
-  auto numbered = createOutputs(command.targets.numberedPaths(number), files);
-  if (!numbered) return tl::unexpected(std::move(numbered.error()));
-  const auto writers = writersOf(*this, *parts);
+  VORPIPE_LET(parts, partsOf(*this, sites));
+  VORPIPE_VAR(numbered, createOutputs(command.targets.numberedPaths(number), files));
+  const auto writers = writersOf(*this, parts);
   for (std::size_t k = 0; k < writers.size(); ++k) {
-    VORPIPE_TRY(log.noteOutput((*numbered)[k], writers[k]));
+    VORPIPE_TRY(log.noteOutput(numbered[k], writers[k]));
   }
-  return commitAll(*numbered);
+  return commitAll(numbered);
 }
 
 }  // namespace vorpipe::cli

@@ -71,9 +71,8 @@ Result<void> CommandRun::createFiles() {
 }
 
 Result<void> CommandRun::openSession() {
-  auto opened = Session::open(options.backend);
-  if (!opened) return tl::unexpected(std::move(opened.error()));
-  session = std::move(*opened);
+  VORPIPE_VAR(opened, Session::open(options.backend));
+  session = std::move(opened);
   log.choice = session->choice();
   return {};
 }

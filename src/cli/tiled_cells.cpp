@@ -62,9 +62,9 @@ Result<TiledInput> loadTiled(const CommandRun& run, const InputOptions& options)
   const PlanRun plan_least = [](MemoryPlan& plan, const Workload& work) {
     planTiles(plan, work, least_tile);
   };
-  auto input = tiled.mapped ? inputAround(options, tiled.mapped->corners()) : run.load(options, plan_least);
-  if (!input) return tl::unexpected(std::move(input.error()));
-  tiled.input = std::move(*input);
+  VORPIPE_VAR(input,
+              tiled.mapped ? inputAround(options, tiled.mapped->corners()) : run.load(options, plan_least));
+  tiled.input = std::move(input);
   if (tiled.mapped) tiled.input.read_ms = watch.milliseconds();
   return tiled;
 }
@@ -78,13 +78,12 @@ Result<ExitCode> measureInTiles(CommandRun& run, const InputOptions& options, co
   VORPIPE_TRY(run.createFiles());
   VORPIPE_TRY(run.openSession());
   const SitesInPlace places = input.places();
-  const auto sizes = forecastTiles(options, places.count, input.mapped ? input.mapped->bytes() : 0,
-                                   run.session->device(), with.backend, with.memory_limit);
-  if (!sizes) return tl::unexpected(sizes.error());
-  run.forecast = sizes->forecast;
+  VORPIPE_LET(sizes, forecastTiles(options, places.count, input.mapped ? input.mapped->bytes() : 0,
+                                   run.session->device(), with.backend, with.memory_limit));
+  run.forecast = sizes.forecast;
   ProgressBar bar(with.talk.quiet);
   CellsInTiles tiles(*run.session,
-                     {input.input.domain, with.search, sizes->usual, sizes->most, bar.callback()});
+                     {input.input.domain, with.search, sizes.usual, sizes.most, bar.callback()});
   Measured measured(places.count);
   const auto found = tiles.measure(places, sinkOf(measured, with.backend.threads));
   bar.clear();

@@ -82,11 +82,10 @@ std::vector<std::string> argumentsOf(const InputOptions& options) {
 }
 
 Result<view::Opened> opened(const InputOptions& options, const TalkOptions& talk) {
-  auto input = loadInput(options);
-  if (!input) return tl::unexpected(std::move(input.error()));
-  VORPIPE_TRY(checkInput(options, *input, cellsOptionsOf(*input), /*threads=*/0));
-  printNotes(talk, *input);
-  return view::Opened{std::move(input->sites), input->domain, std::move(input->outline), input->periodic,
+  VORPIPE_VAR(input, loadInput(options));
+  VORPIPE_TRY(checkInput(options, input, cellsOptionsOf(input), /*threads=*/0));
+  printNotes(talk, input);
+  return view::Opened{std::move(input.sites), input.domain, std::move(input.outline), input.periodic,
                       argumentsOf(options)};
 }
 
@@ -103,42 +102,37 @@ Result<view::Opened> openForView(const InputOptions& options, const TalkOptions&
 Result<view::Loaded> loadForView(const std::string& path, const InputOptions& options) {
   view::Loaded loaded;
   if (lowerExtension(path) == ".png") {
-    auto density = readDensity(path);
-    if (!density) return tl::unexpected(std::move(density.error()));
+    VORPIPE_VAR(density, readDensity(path));
     // A dropped density covers the window's domain.
-    density->density.box.reset();
-    loaded.density = std::make_shared<const Density>(std::move(density->density));
+    density.density.box.reset();
+    loaded.density = std::make_shared<const Density>(std::move(density.density));
     return loaded;
   }
   if (lowerExtension(path) == ".npz") {
-    auto setup = readFluid(path);
-    if (!setup) return tl::unexpected(std::move(setup.error()));
-    setup->options.until = FluidOptions{}.until;
-    loaded.opened = view::openedFluid(view::toBegin(std::move(*setup)), path);
+    VORPIPE_VAR(setup, readFluid(path));
+    setup.options.until = FluidOptions{}.until;
+    loaded.opened = view::openedFluid(view::toBegin(std::move(setup)), path);
     return loaded;
   }
   InputOptions dropped;
   dropped.sites = path;
   dropped.reading.attributes = false;
   dropped.reading.skip_missing = options.reading.skip_missing;
-  auto file = opened(dropped, {.quiet = true});
-  if (!file) return tl::unexpected(std::move(file.error()));
-  loaded.opened = std::move(*file);
+  VORPIPE_VAR(file, opened(dropped, {.quiet = true}));
+  loaded.opened = std::move(file);
   return loaded;
 }
 
 Result<view::Opened> openFluidForView(const FluidChoices& choices, const BackendOptions& backend,
                                       const SearchOptions& search) {
-  auto setup = startOf(choices);
-  if (!setup) return tl::unexpected(std::move(setup.error()));
-  setup->options.search = search;
-  if (!choices.until) setup->options.until = FluidOptions{}.until;
-  auto session = Session::open(backend);
-  if (!session) return tl::unexpected(std::move(session.error()));
-  const auto fluid = Fluid::begin(*session, std::move(setup->state), setup->options);
+  VORPIPE_VAR(setup, startOf(choices));
+  setup.options.search = search;
+  if (!choices.until) setup.options.until = FluidOptions{}.until;
+  VORPIPE_VAR(session, Session::open(backend));
+  const auto fluid = Fluid::begin(session, std::move(setup.state), setup.options);
   if (!fluid) return asFluidOption(fluid.error(), choices);
   auto begun = std::make_shared<view::FluidSnapshot>();
-  begun->setup = {fluid->state(), setup->options};
+  begun->setup = {fluid->state(), setup.options};
   begun->last = fluid->last();
   begun->sites = std::make_shared<const Sites>(begun->setup.state.sites);
   begun->is_begun = true;

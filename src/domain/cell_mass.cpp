@@ -8,6 +8,7 @@
 
 #include "base/parallel.h"
 #include "base/refusal.h"
+#include "base/try.h"
 #include "cells/cell_walk.h"
 #include "sites/grid.h"
 
@@ -114,9 +115,8 @@ Result<void> measureMass(const CellsOptions& options, const Sites& sites, int th
   Sites placed;
   const bool repeats = options.periodic != Periodic::none;
   if (repeats) {
-    auto made = wrapped(sites, options.domain, options.periodic, threads);
-    if (!made) return tl::unexpected(made.error());
-    placed = std::move(*made);
+    VORPIPE_VAR(made, wrapped(sites, options.domain, options.periodic, threads));
+    placed = std::move(made);
   }
   Diagram& d = found.diagram;
   d.mass.resize(d.size());

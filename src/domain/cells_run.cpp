@@ -58,15 +58,13 @@ class Runs {
     imaged = {};
     imaged = withImages(placed_, band);
     options_.domain = imaged.box;
-    auto begun = beginRun(machine_, imaged.sites, options_.domain, &callers_);
-    if (!begun) return tl::unexpected(begun.error());
+    VORPIPE_VAR(begun, beginRun(machine_, imaged.sites, options_.domain, &callers_));
     times.order = std::max(times.order, 0.0) + 1e3 * order_watch.seconds();
-    run = std::move(*begun);
-    auto found = boxDiagramOn(machine_, *run, imaged.sites, options_);
-    if (!found) return tl::unexpected(found.error());
+    run = std::move(begun);
+    VORPIPE_VAR(found, boxDiagramOn(machine_, *run, imaged.sites, options_));
     if (purpose_ == ImagesFor::cells) run.reset();
     const Report before = std::move(diagram.report);
-    diagram = std::move(*found);
+    diagram = std::move(found);
     auto& said = diagram.report.validation_messages;
     said.insert(said.begin(), before.validation_messages.begin(), before.validation_messages.end());
     auto& made = diagram.report.pipelines;
@@ -115,26 +113,24 @@ class Runs {
 Result<FoundCells> findPeriodicCells(const Machine& machine, const Sites& sites, const CellsOptions& options,
                                      ImagesFor purpose) {
   const Stopwatch order_watch;
-  auto placed = placeSites(sites, options.domain, options.periodic, machine.threads);
-  if (!placed) return tl::unexpected(placed.error());
+  VORPIPE_VAR(placed, placeSites(sites, options.domain, options.periodic, machine.threads));
   // As wide as a picture needs, and more.
-  Band band = likelyBandForCells(*placed, machine.threads);
-  Runs runs(machine, sites, *placed, options, purpose);
+  Band band = likelyBandForCells(placed, machine.threads);
+  Runs runs(machine, sites, placed, options, purpose);
   runs.times.order = 1e3 * order_watch.seconds();
   for (;;) {
     VORPIPE_TRY(runs.cells(band));
-    auto next = runs.settle(band);
-    if (!next) return tl::unexpected(next.error());
-    if (next->width == band.width) break;
-    band = std::move(*next);
+    VORPIPE_VAR(next, runs.settle(band));
+    if (next.width == band.width) break;
+    band = std::move(next);
   }
   const Stopwatch records_watch;
-  finishRecords(*placed, runs.imaged, options.detail, machine.threads, runs.diagram);
+  finishRecords(placed, runs.imaged, options.detail, machine.threads, runs.diagram);
   runs.times.cells += 1e3 * records_watch.seconds();
   runs.diagram.report.time_ms = runs.times;
   const Box clip = runs.imaged.box;
   return FoundCells{std::move(runs.diagram), std::move(runs.run),
-                    Scene{std::move(runs.imaged), clip, placed->domain()}};
+                    Scene{std::move(runs.imaged), clip, placed.domain()}};
 }
 
 /// Clips the cells of a run.
@@ -145,9 +141,8 @@ Result<void> clip(const Machine& machine, const Sites& sites, const CellsOptions
   const SiteRun& of = *found.run;
   const ClippedRun run{sites,     options.domain,       of.prepared.set,
                        *of.cells, of.prepared.exponent, machine.threads};
-  auto parts = clipToOutline(run, options.outline, diagram);
-  if (!parts) return tl::unexpected(parts.error());
-  found.parts = std::move(*parts);
+  VORPIPE_VAR(parts, clipToOutline(run, options.outline, diagram));
+  found.parts = std::move(parts);
   if (options.detail == Detail::measures) dropPolygons(diagram);
   diagram.report.time_ms.cells += 1e3 * watch.seconds();
   return {};
@@ -162,13 +157,11 @@ Result<FoundCells> findCells(const Machine& machine, const Sites& sites, const C
   // Clipping cells needs their polygons, even if the caller does not.
   if (!options.outline.empty()) box_options.detail = std::max(options.detail, Detail::polygons);
   const Stopwatch order_watch;
-  auto run = beginRun(machine, sites, options.domain);
-  if (!run) return tl::unexpected(run.error());
+  VORPIPE_VAR(run, beginRun(machine, sites, options.domain));
   const double order_ms = 1e3 * order_watch.seconds();
-  auto diagram = boxDiagramOn(machine, **run, sites, box_options);
-  if (!diagram) return tl::unexpected(diagram.error());
-  diagram->report.time_ms.order = order_ms;
-  FoundCells found{std::move(*diagram), std::move(*run), plainScene(sites, options.domain)};
+  VORPIPE_VAR(diagram, boxDiagramOn(machine, *run, sites, box_options));
+  diagram.report.time_ms.order = order_ms;
+  FoundCells found{std::move(diagram), std::move(run), plainScene(sites, options.domain)};
   if (!options.outline.empty()) VORPIPE_TRY(clip(machine, sites, options, found));
   if (purpose == ImagesFor::cells) found.run.reset();
   return found;
@@ -187,13 +180,12 @@ namespace vorpipe {
 Result<std::uint64_t> sitesAndImages(const Sites& sites, const Box& domain, Periodic periodic,
                                      ImagesFor purpose, int threads) {
   if (periodic == Periodic::none) return sites.size();
-  const auto placed = core::placeSites(sites, domain, periodic, threads);
-  if (!placed) return tl::unexpected(placed.error());
+  VORPIPE_LET(placed, core::placeSites(sites, domain, periodic, threads));
   const bool pictures = purpose == ImagesFor::pictures;
   const core::Band band =
-      pictures ? core::bandForPlaces(*placed, threads) : core::likelyBandForCells(*placed, threads);
+      pictures ? core::bandForPlaces(placed, threads) : core::likelyBandForCells(placed, threads);
   std::uint64_t count = sites.size();
-  core::eachImage(*placed, band, [&](const core::SiteImage&) { ++count; });
+  core::eachImage(placed, band, [&](const core::SiteImage&) { ++count; });
   return count;
 }
 

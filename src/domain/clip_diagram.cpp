@@ -166,9 +166,8 @@ void clipAtContacts(const ClippedRun& run, const ScaledDiagram& cells, const Out
 }  // namespace
 
 Result<OwnParts> clipToOutline(const ClippedRun& run, const Outline& outline, Diagram& diagram) {
-  const auto rings = ringsOf(outline, run.exponent);
-  if (!rings) return tl::unexpected(rings.error());
-  const OutlineIndex index(*rings);
+  VORPIPE_LET(rings, ringsOf(outline, run.exponent));
+  const OutlineIndex index(rings);
   const ScaledDiagram cells(run, diagram);
   ClippedCells clipped(run.sites.size());
   FirstPass first = clipAll(run, cells, index, clipped);
@@ -176,7 +175,7 @@ Result<OwnParts> clipToOutline(const ClippedRun& run, const Outline& outline, Di
   writeClipped(cells, clipped, diagram);
   OwnParts parts = measureOwnParts(run, index, clipped, first.near, diagram);
   countCells(diagram);
-  VORPIPE_TRY(checkAreas(cells, *rings, diagram));
+  VORPIPE_TRY(checkAreas(cells, rings, diagram));
   return parts;
 }
 

@@ -61,11 +61,9 @@ std::string placeOf(const Geos& geos, const GEOSGeometry* location,
 Result<void> checkPolygons(const Outline& outline) {
   const Geos geos;
   const GeosGeometry geometry = geometryOf(geos, outline);
-  const auto fault = faultOf(geos, geometry.get());
-  if (!fault) return tl::unexpected(fault.error());
-  if (!*fault) return {};
-  return refuseOutline(
-      fmt::format("{}; rings and polygons must not cross, overlap or share a side", **fault));
+  VORPIPE_LET(fault, faultOf(geos, geometry.get()));
+  if (!fault) return {};
+  return refuseOutline(fmt::format("{}; rings and polygons must not cross, overlap or share a side", *fault));
 }
 
 bool areOffsets(const std::vector<std::uint64_t>& offsets, std::size_t count) {

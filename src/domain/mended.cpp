@@ -152,9 +152,8 @@ class Mending {
 
   Result<MendedOutline> run() {
     const GeosGeometry whole = geometryOf(geos_, outline_);
-    const auto fault = faultOf(geos_, whole.get(), words_.place);
-    if (!fault) return tl::unexpected(fault.error());
-    if (!*fault) return MendedOutline{outline_, {}};
+    VORPIPE_LET(fault, faultOf(geos_, whole.get(), words_.place));
+    if (!fault) return MendedOutline{outline_, {}};
     VORPIPE_TRY(checkEach());
     return unite();
   }
@@ -168,16 +167,15 @@ class Mending {
   Result<void> checkEach() {
     for (std::size_t p = 0; p + 1 < outline_.polygon_offsets.size(); ++p) {
       GeosGeometry polygon = polygonOf(geos_, outline_, p);
-      const auto fault = faultOf(geos_, polygon.get(), words_.place);
-      if (!fault) return tl::unexpected(fault.error());
-      if (*fault) {
+      VORPIPE_LET(fault, faultOf(geos_, polygon.get(), words_.place));
+      if fault {
         if (!repair_) {
           return refuseOutline(
               fmt::format("{}; rings must not cross themselves or each other, and holes must lie "
                           "inside their polygon",
-                          **fault));
+                          *fault));
         }
-        if (repaired_ == 0) first_fault_ = **fault;
+        if (repaired_ == 0) first_fault_ = *fault;
         ++repaired_;
         polygon = repaired(p);
         if (!polygon) return failed();

@@ -185,8 +185,7 @@ Result<MendedOutline> mendedToPlane(const Projection& projection, const Outline&
   const bool is_outline = hasRingsInDegrees(degrees);
   auto first = is_outline ? mended(degrees, repair) : Result<MendedOutline>(MendedOutline{degrees, {}});
   if (!first) return first;
-  const auto plane = toPlane(projection, first->outline);
-  if (!plane) return tl::unexpected(plane.error());
+  VORPIPE_LET(plane, toPlane(projection, first->outline));
   // Messages give places in degrees, as the outline was given, to 9 decimals: more are rounding of the
   // projection.
   constexpr double decimals = 1e9;
@@ -196,7 +195,7 @@ Result<MendedOutline> mendedToPlane(const Projection& projection, const Outline&
         return Point{std::round(at.x * decimals) / decimals, std::round(at.y * decimals) / decimals};
       },
       " km2"};
-  auto second = mended(*plane, repair || is_outline, words);
+  auto second = mended(plane, repair || is_outline, words);
   if (!second) return second;
   // A valid outline in degrees may touch itself in the plane, as along the antimeridian: that is no repair.
   if (!repair) second->changes.clear();

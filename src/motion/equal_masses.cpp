@@ -36,14 +36,12 @@ class Equalizer {
         result_{std::move(sites)} {}
 
   Result<EqualMasses> run(double tolerance, std::uint64_t most) {
-    const auto measured = measure(result_.sites);
-    if (!measured) return tl::unexpected(measured.error());
-    result_.worst = *measured;
+    VORPIPE_LET(measured, measure(result_.sites));
+    result_.worst = measured;
     while (result_.worst > tolerance && result_.diagrams < most) {
       const auto ways = shortestWays({cells_, result_.sites, options_.domain, threads_}, missing_, threads_);
-      const auto better = search(ways, most);
-      if (!better) return tl::unexpected(better.error());
-      if (!*better) break;
+      VORPIPE_LET(better, search(ways, most));
+      if (!better) break;
     }
     return std::move(result_);
   }
@@ -79,14 +77,12 @@ class Equalizer {
         at.y[i] = to.y;
       });
       if (options_.periodic != Periodic::none) {
-        auto placed = wrapped(at, options_.domain, options_.periodic, threads_);
-        if (!placed) return tl::unexpected(std::move(placed.error()));
-        at = std::move(*placed);
+        VORPIPE_VAR(placed, wrapped(at, options_.domain, options_.periodic, threads_));
+        at = std::move(placed);
       }
-      const auto measured = measure(at);
-      if (!measured) return tl::unexpected(measured.error());
-      if (!(*measured < result_.worst)) continue;
-      result_.worst = *measured;
+      VORPIPE_LET(measured, measure(at));
+      if (!(measured < result_.worst)) continue;
+      result_.worst = measured;
       result_.sites = std::move(at);
       return true;
     }

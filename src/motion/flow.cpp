@@ -103,8 +103,7 @@ Flow::Flow(Session& session, const FluidOptions& options, const Parcels& parcels
 /// Moves sites back into the period, and records mass times shift along gravity.
 Result<void> Flow::wrap(Parcels& parcels) const {
   if (options_.periodic == Periodic::none) return {};
-  auto inside = wrapped(parcels.sites, options_.domain, options_.periodic, threads_);
-  if (!inside) return tl::unexpected(std::move(inside.error()));
+  VORPIPE_VAR(inside, wrapped(parcels.sites, options_.domain, options_.periodic, threads_));
   const Box& box = options_.domain;
   const auto carried = [&](const std::vector<double>& from, const std::vector<double>& to, double side) {
     return carefulSum(parcels.size(), threads_, [&](std::size_t i) {
@@ -114,12 +113,12 @@ Result<void> Flow::wrap(Parcels& parcels) const {
     });
   };
   if (options_.gravity.x != 0) {
-    parcels.carried.x += carried(parcels.sites.x, inside->x, box.xmax - box.xmin);
+    parcels.carried.x += carried(parcels.sites.x, inside.x, box.xmax - box.xmin);
   }
   if (options_.gravity.y != 0) {
-    parcels.carried.y += carried(parcels.sites.y, inside->y, box.ymax - box.ymin);
+    parcels.carried.y += carried(parcels.sites.y, inside.y, box.ymax - box.ymin);
   }
-  parcels.sites = std::move(*inside);
+  parcels.sites = std::move(inside);
   return {};
 }
 
@@ -133,9 +132,8 @@ Result<bool> Flow::areas(Parcels& parcels, double time, double tolerance) {
     forAll(parcels.size(), threads_, [&](std::size_t i) { weight[i] += time * parcels.trend[i]; });
   }
   VORPIPE_TRY(wrap(parcels));
-  const auto end = cells_.solve(parcels.sites, {tolerance, options_.diagrams});
-  if (!end) return tl::unexpected(end.error());
-  if (*end == TransportEnd::cancelled) {
+  VORPIPE_LET(end, cells_.solve(parcels.sites, {tolerance, options_.diagrams}));
+  if (end == TransportEnd::cancelled) {
     return cancelled("each cell had its area");
   }
   diagrams_ += cells_.trace().size();
@@ -145,7 +143,7 @@ Result<bool> Flow::areas(Parcels& parcels, double time, double tolerance) {
     forAll(parcels.size(), threads_,
            [&](std::size_t i) { parcels.trend[i] = (weight[i] - before[i]) / time; });
   }
-  return *end == TransportEnd::converged;
+  return end == TransportEnd::converged;
 }
 
 /// Springs pull sites to the centroids of their cells. Then weights are pressures up to a factor: the rate at

@@ -108,9 +108,8 @@ Result<void> completeState(const FluidOptions& options, FluidState& state) {
 /// Refuses two parcels at one place, which cannot be distinguished.
 Result<void> checkDistinct(const Sites& sites, const FluidOptions& options, int threads) {
   if (options.periodic == Periodic::none) return checkPlaces(sites, options.domain, options.periodic);
-  const auto inside = wrapped(sites, options.domain, options.periodic, threads);
-  if (!inside) return tl::unexpected(inside.error());
-  return checkPlaces(*inside, options.domain, options.periodic);
+  VORPIPE_LET(inside, wrapped(sites, options.domain, options.periodic, threads));
+  return checkPlaces(inside, options.domain, options.periodic);
 }
 
 }  // namespace
@@ -209,9 +208,8 @@ Result<bool> Fluid::State::reorder() {
 /// Finds the cells again, since a failed step may have left cells that are not those of its beginning.
 Result<void> Fluid::State::placeAgain() {
   update();
-  const auto placed = placeAnew();
-  if (!placed) return tl::unexpected(placed.error());
-  if (!*placed) return refuse("volume: areas of the cells could not be found");
+  VORPIPE_LET(placed, placeAnew());
+  if (!placed) return refuse("volume: areas of the cells could not be found");
   is_torn = false;
   return {};
 }
@@ -321,9 +319,8 @@ Result<Fluid> Fluid::begin(Session& session, FluidState state, FluidOptions opti
   // The first notes already report springs that are too soft from the beginning.
   s.is_outgrown = areTooSoft(s.options.epsilon, usualSpeed(s.callers, s.options),
                              meanSpacing(s.callers.volume), s.options.surface);
-  const auto placed = s.flow->place(s.now);
-  if (!placed) return tl::unexpected(placed.error());
-  if (!*placed) return refuse("volume: areas of the first cells could not be found");
+  VORPIPE_LET(placed, s.flow->place(s.now));
+  if (!placed) return refuse("volume: areas of the first cells could not be found");
   s.callers_are_old = true;
   s.last.step = s.callers.step;
   s.last.time = s.callers.time;

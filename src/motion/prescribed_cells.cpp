@@ -148,11 +148,10 @@ struct PrescribedCells::State {
 /// Computes one diagram and adds it to the trace. If a cell has no mass, the misfit is not a number.
 Result<Misfit> PrescribedCells::State::measure(const Sites& sites, TransportStep step) {
   current = false;
-  const auto whole = cells.updateUnlessEmpty(sites);
-  if (!whole) return tl::unexpected(whole.error());
+  VORPIPE_LET(whole, cells.updateUnlessEmpty(sites));
   constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
-  const Misfit now = *whole ? misfitOf(cells.moments(), masses, surface, threads, now_missing)
-                            : Misfit{unknown, unknown, unknown};
+  const Misfit now = whole ? misfitOf(cells.moments(), masses, surface, threads, now_missing)
+                           : Misfit{unknown, unknown, unknown};
   step.diagram = trace.size();
   step.norm = now.norm;
   step.worst = now.worst;
@@ -173,9 +172,8 @@ void PrescribedCells::State::keep(const Sites& sites, const Misfit& now) {
 /// Measures the weights that are kept, after others were tried.
 Result<void> PrescribedCells::State::restore(Sites& sites) {
   sites.weight = kept;
-  const auto now = measure(sites);
-  if (!now) return tl::unexpected(now.error());
-  keep(sites, *now);
+  VORPIPE_LET(now, measure(sites));
+  keep(sites, now);
   return {};
 }
 
@@ -187,10 +185,9 @@ void PrescribedCells::State::report() {
 /// Returns whether these weights leave every cell at least that part of its mass. If so, keeps them.
 Result<bool> PrescribedCells::State::beginWith(Sites& sites, std::vector<double> weights, double least) {
   sites.weight = std::move(weights);
-  const auto now = measure(sites);
-  if (!now) return tl::unexpected(now.error());
-  const bool enough = now->least >= least;
-  if (enough) keep(sites, *now);
+  VORPIPE_LET(now, measure(sites));
+  const bool enough = now.least >= least;
+  if (enough) keep(sites, now);
   report();
   return enough;
 }
@@ -247,15 +244,14 @@ Result<bool> PrescribedCells::State::joinParts(Sites& sites, double enough) {
     sites.weight = kept;
     for (const auto i : part.cells) sites.weight[i] += raise;
     centerWeights(sites.weight, threads);
-    const auto now = measure(sites);
-    if (!now) return tl::unexpected(now.error());
+    VORPIPE_LET(now, measure(sites));
     report();
-    const bool whole = !std::isnan(now->norm);
+    const bool whole = !std::isnan(now.norm);
     const double deficit = whole ? std::abs(deficitOf(part.cells, now_missing)) : part.deficit;
     // A reduction by this factor is not rounding.
     const bool moved = deficit < 0.999 * part.deficit;
-    if (now->least >= enough && moved) {
-      keep(sites, *now);
+    if (now.least >= enough && moved) {
+      keep(sites, now);
       return true;
     }
     const bool nothing = whole && deficitOf(part.cells, now_missing) > 0 && !moved;
@@ -280,32 +276,29 @@ Result<std::uint64_t> PrescribedCells::State::findWay(Sites& sites, double enoug
   // square.
   constexpr double coarsest = 1e-3, finest = 1e-9;
   const double tolerance = std::clamp(0.1 * misfit.worst, finest, coarsest);
-  auto solved = solver.solve(matrix, missing, tolerance, way);
-  if (!solved) return tl::unexpected(std::move(solved.error()));
-  return solved->iterations;
+  VORPIPE_VAR(solved, solver.solve(matrix, missing, tolerance, way));
+  return solved.iterations;
 }
 
 /// Takes the longest part of the step, halved each time, that leaves cells enough mass and reduces the misfit
 /// (Kitagawa, Merigot and Thibert 2019, algorithm 1). Returns whether there was one.
 Result<bool> PrescribedCells::State::search(Sites& sites, std::uint64_t newton, double enough,
                                             double& length) {
-  const auto iterations = findWay(sites, enough);
-  if (!iterations) return tl::unexpected(iterations.error());
+  VORPIPE_LET(iterations, findWay(sites, enough));
   while (length >= least_length && mayMeasure()) {
     forAll(sites.size(), threads, [&](std::size_t i) { sites.weight[i] = kept[i] + length * way[i]; });
     TransportStep step;
     step.newton = newton;
     step.length = length;
-    step.linear_iterations = *iterations;
-    const auto now = measure(sites, step);
-    if (!now) return tl::unexpected(now.error());
-    const bool taken = now->least >= enough && now->norm <= (1 - length / 2) * misfit.norm;
-    if (taken) keep(sites, *now);
+    step.linear_iterations = iterations;
+    VORPIPE_LET(now, measure(sites, step));
+    const bool taken = now.least >= enough && now.norm <= (1 - length / 2) * misfit.norm;
+    if (taken) keep(sites, now);
     report();
     if (taken) return true;
     // Near the end a whole step is right; if it gains nothing, rounding is the cause.
-    if (!std::isnan(now->norm) && length == 1 && misfit.worst < near_rounding) {
-      if (now->worst < misfit.worst) keep(sites, *now);
+    if (!std::isnan(now.norm) && length == 1 && misfit.worst < near_rounding) {
+      if (now.worst < misfit.worst) keep(sites, now);
       return false;
     }
     length /= 2;
@@ -327,9 +320,8 @@ Result<TransportEnd> PrescribedCells::State::iterate(Sites& sites) {
     if (stopped) return TransportEnd::cancelled;
     if (!mayMeasure()) return TransportEnd::diagrams;
     const double tried = length;
-    const auto stepped = search(sites, newton, enough, length);
-    if (!stepped) return tl::unexpected(stepped.error());
-    if (*stepped) {
+    VORPIPE_LET(stepped, search(sites, newton, enough, length));
+    if stepped {
       // After a halving, doubling would only be undone at once.
       if (length == tried) length = std::min(1.0, 2 * length);
       continue;
@@ -356,12 +348,11 @@ Result<TransportEnd> PrescribedCells::solve(Sites& sites, const PrescribedLimits
   s.watch = {};
   s.trace.clear();
   s.stopped = s.current = false;
-  const auto begun = s.begin(sites);
-  if (!begun) return tl::unexpected(begun.error());
-  if (!*begun && s.stopped) {
+  VORPIPE_LET(begun, s.begin(sites));
+  if (!begun && s.stopped) {
     return tl::unexpected(Error{ErrorCode::cancelled, "stopped before every cell had some of its mass"});
   }
-  if (!*begun) {
+  if (!begun) {
     return tl::unexpected(
         refusal(Subject::sites, "no weights to begin with were found that give each site a cell with mass"));
   }

@@ -184,20 +184,17 @@ void Relaxation::State::findDirection() {
 /// Makes a Lloyd step that also gives places to sites with empty or massless cells.
 Result<bool> Relaxation::State::moveLost() {
   direction = at.way;
-  auto where = moved(1);
-  if (!where) return tl::unexpected(std::move(where.error()));
-  const LostSites now = placeLostSites(sites, cells.moments(), allowed, *where);
+  VORPIPE_VAR(where, moved(1));
+  const LostSites now = placeLostSites(sites, cells.moments(), allowed, where);
   lost.hidden = now.hidden;
   if (!now.moved()) return false;
-  auto places = placed(std::move(*where));
-  if (!places) return tl::unexpected(std::move(places.error()));
-  auto measured = measure(*places);
-  if (!measured) return tl::unexpected(std::move(measured.error()));
+  VORPIPE_VAR(places, placed(std::move(where)));
+  VORPIPE_VAR(measured, measure(places));
   lost.duplicates += now.duplicates;
   lost.outside += now.outside;
   // Where there is little mass, the same sites recur.
   lost.massless = std::max(lost.massless, now.massless);
-  keep(std::move(*places), std::move(*measured));
+  keep(std::move(places), std::move(measured));
   newton.clear();
   step = 0;
   return true;
@@ -208,24 +205,22 @@ Result<bool> Relaxation::State::moveLost() {
 Result<bool> Relaxation::State::tryStep() {
   if (step == 0) findDirection();
   const std::size_t count = sites.size();
-  auto where = moved(step);
-  if (!where) return tl::unexpected(std::move(where.error()));
-  auto measured = measure(*where);
-  if (!measured) return tl::unexpected(std::move(measured.error()));
+  VORPIPE_VAR(where, moved(step));
+  VORPIPE_VAR(measured, measure(where));
   const bool lloyd = options.method == RelaxMethod::lloyd;
   const auto falls = [&] {
-    return measured->energy <= at.energy + enough_fall * step * slope() + energy_rounding * at.scale;
+    return measured.energy <= at.energy + enough_fall * step * slope() + energy_rounding * at.scale;
   };
   if (lloyd || falls()) {
     if (!lloyd) {
       std::vector<double> way(2 * count), change(2 * count);
       forAll(2 * count, threads, [&](std::size_t k) {
         way[k] = step * direction[k];
-        change[k] = measured->gradient[k] - at.gradient[k];
+        change[k] = measured.gradient[k] - at.gradient[k];
       });
       newton.add(std::move(way), std::move(change));
     }
-    keep(std::move(*where), std::move(*measured));
+    keep(std::move(where), std::move(measured));
     step = 0;
     return true;
   }
@@ -303,23 +298,21 @@ Result<Relaxation> Relaxation::begin(Session& session, Sites sites, RelaxOptions
   // Along periodic axes places are rounded; sites that do not move keep the caller's places.
   const bool repeats = state.options.periodic != Periodic::none;
   Sites given = repeats ? state.sites : Sites{};
-  auto places = state.placed(std::move(state.sites));
-  if (!places) return tl::unexpected(std::move(places.error()));
+  VORPIPE_VAR(places, state.placed(std::move(state.sites)));
   if (!state.options.density.values.empty()) {
-    const auto lattice = latticeEnergy(session, *places, cells);
-    if (!lattice) return tl::unexpected(lattice.error());
-    state.lattice = *lattice;
+    VORPIPE_LET(lattice, latticeEnergy(session, places, cells));
+    state.lattice = lattice;
   }
-  state.order = memoryOrder(*places, state.options.domain);
-  Sites ordered = inOrder(*places, state.order);
+  state.order = memoryOrder(places, state.options.domain);
+  Sites ordered = inOrder(places, state.order);
   auto measured = state.measure(ordered);
   if (!measured && measured.error().code == ErrorCode::input) {
     // Errors must name the caller's sites by their numbers.
-    VORPIPE_TRY(state.cells.update(*places));
+    VORPIPE_TRY(state.cells.update(places));
   }
   if (!measured) return tl::unexpected(std::move(measured.error()));
   state.keep(std::move(ordered), std::move(*measured));
-  state.callers = std::move(repeats ? given : *places);
+  state.callers = std::move(repeats ? given : places);
   state.callers_are_old = false;
   return relaxation;
 }
@@ -372,17 +365,15 @@ const Report& Relaxation::report() const {
 
 Result<Relaxed> relax(Session& session, Sites sites, const RelaxOptions& options,
                       const RelaxWatcher& watcher) {
-  auto relaxation = Relaxation::begin(session, std::move(sites), options);
-  if (!relaxation) return tl::unexpected(std::move(relaxation.error()));
+  VORPIPE_VAR(relaxation, Relaxation::begin(session, std::move(sites), options));
   bool stopped = false;
   while (!stopped) {
-    const auto more = relaxation->step();
-    if (!more) return tl::unexpected(more.error());
-    if (!*more) break;
-    stopped = watcher && !watcher(*relaxation);
+    VORPIPE_LET(more, relaxation.step());
+    if (!more) break;
+    stopped = watcher && !watcher(relaxation);
   }
-  return Relaxed{relaxation->sites(), relaxation->trace(), stopped ? RelaxEnd::cancelled : relaxation->end(),
-                 relaxation->report()};
+  return Relaxed{relaxation.sites(), relaxation.trace(), stopped ? RelaxEnd::cancelled : relaxation.end(),
+                 relaxation.report()};
 }
 
 }  // namespace vorpipe

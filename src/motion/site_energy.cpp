@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "base/block_sums.h"
+#include "base/try.h"
 
 namespace vorpipe::moving {
 namespace {
@@ -158,10 +159,9 @@ Result<double> latticeEnergy(Session& session, const Sites& sites, CellsOptions 
   }
   // The cells divide the mass inside the outline, or inside the density's box, within the domain.
   options.detail = Detail::measures;
-  const auto cells = session.cells(sites, options);
-  if (!cells) return tl::unexpected(cells.error());
+  VORPIPE_LET(cells, session.cells(sites, options));
   return latticeEnergy(
-      carefulSum(cells->mass.size(), session.threads(), [&](std::size_t i) { return cells->mass[i]; }));
+      carefulSum(cells.mass.size(), session.threads(), [&](std::size_t i) { return cells.mass[i]; }));
 }
 
 std::vector<std::string> LostSites::notes() const {

@@ -195,14 +195,12 @@ Result<double> massOfDomain(Session& session, const TransportOptions& options) {
   cells.detail = Detail::measures;
   // The cell of a single site is the whole domain.
   const Sites site{{box.xmin + 0.5 * (box.xmax - box.xmin)}, {box.ymin + 0.5 * (box.ymax - box.ymin)}, {}};
-  const auto whole = session.cells(site, cells);
-  if (!whole) return tl::unexpected(whole.error());
-  return whole->mass.empty() ? whole->area[0] : whole->mass[0];
+  VORPIPE_LET(whole, session.cells(site, cells));
+  return whole.mass.empty() ? whole.area[0] : whole.mass[0];
 }
 
 Result<void> fillDomain(Session& session, std::size_t sites, double part, TransportOptions& options) {
-  const auto whole = massOfDomain(session, options);
-  if (!whole) return tl::unexpected(whole.error());
+  VORPIPE_LET(whole, massOfDomain(session, options));
   auto& masses = options.masses;
   if (masses.empty()) masses.assign(sites, 1);
   if (masses.empty()) return {};
@@ -211,7 +209,7 @@ Result<void> fillDomain(Session& session, std::size_t sites, double part, Transp
   const double greatest = *std::ranges::max_element(masses);
   const double sum =
       carefulSum(masses.size(), session.threads(), [&](std::size_t i) { return masses[i] / greatest; });
-  for (double& mass : masses) mass = part * *whole * (mass / greatest / sum);
+  for (double& mass : masses) mass = part * whole * (mass / greatest / sum);
   return {};
 }
 
@@ -220,19 +218,16 @@ Result<Transported> transport(Session& session, Sites sites, const TransportOpti
   const CellsOptions cells = cellsOf(options);
   VORPIPE_TRY(checkTolerance(options.tolerance));
   VORPIPE_TRY(checkMovable(sites, cells, session.threads()));
-  auto places = options.periodic == Periodic::none
-                    ? Result<Sites>(std::move(sites))
-                    : wrapped(sites, options.domain, options.periodic, session.threads());
-  if (!places) return tl::unexpected(std::move(places.error()));
-  VORPIPE_TRY(checkPlaces(*places, options.domain, options.periodic));
-  const auto whole = massOfDomain(session, options);
-  if (!whole) return tl::unexpected(whole.error());
-  const auto targets = targetsOf(options, places->size(), *whole);
-  if (!targets) return tl::unexpected(targets.error());
-  const auto order = memoryOrder(*places, options.domain);
-  Sites at = inOrder(*places, order);
+  VORPIPE_VAR(places, options.periodic == Periodic::none
+                          ? Result<Sites>(std::move(sites))
+                          : wrapped(sites, options.domain, options.periodic, session.threads()));
+  VORPIPE_TRY(checkPlaces(places, options.domain, options.periodic));
+  VORPIPE_LET(whole, massOfDomain(session, options));
+  VORPIPE_LET(targets, targetsOf(options, places.size(), whole));
+  const auto order = memoryOrder(places, options.domain);
+  Sites at = inOrder(places, order);
   if (options.surface == Surface::none && !at.weight.empty()) centerWeights(at.weight, session.threads());
-  auto reached = reachWeights(session, cells, options.surface, inOrder(*targets, order), at,
+  auto reached = reachWeights(session, cells, options.surface, inOrder(targets, order), at,
                               {options.tolerance, options.diagrams}, watcher);
   if (!reached) return tl::unexpected(std::move(reached.error()));
   Transported done;
@@ -246,7 +241,7 @@ Result<Transported> transport(Session& session, Sites sites, const TransportOpti
     done.cells = momentsInCallersOrder(moments, order);
   }
   // Along periodic axes places are rounded; sites keep the caller's places.
-  done.sites = std::move(options.periodic == Periodic::none ? *places : sites);
+  done.sites = std::move(options.periodic == Periodic::none ? places : sites);
   done.sites.weight = inCallersOrder(at.weight, order);
   return done;
 }

@@ -111,10 +111,9 @@ Result<void> CellDrawing::drawByDevice(const View& view) {
   const auto by_lists = [&](const Candidates& candidates, Effort effort, auto status) {
     return drawLists(view, candidates, effort, status);
   };
-  const auto left = ladder_.run({by_grid, by_lists});
-  if (!left) return tl::unexpected(left.error());
-  as_polygons_.insert(as_polygons_.end(), left->begin(), left->end());
-  return judge(*left);
+  VORPIPE_LET(left, ladder_.run({by_grid, by_lists}));
+  as_polygons_.insert(as_polygons_.end(), left.begin(), left.end());
+  return judge(left);
 }
 
 /// Draws every entry of `candidates`, in as many batches as the device needs. A list that is longer than a
@@ -175,12 +174,11 @@ Result<void> CellDrawing::judge(std::span<const std::uint32_t> which) {
   std::vector<std::uint32_t> open;
   std::ranges::copy_if(which, std::back_inserter(open),
                        [&](std::uint32_t site) { return !isDone(rows->status(site)); });
-  auto judged = ladder_.askJudge(std::move(open));
-  if (!judged) return tl::unexpected(judged.error());
-  for (std::size_t e = 0; e < judged->which.size(); ++e) {
-    before_.status[judged->which[e]] = judged->found.status(e);
+  VORPIPE_VAR(judged, ladder_.askJudge(std::move(open)));
+  for (std::size_t e = 0; e < judged.which.size(); ++e) {
+    before_.status[judged.which[e]] = judged.found.status(e);
   }
-  rows->add(judged->which, std::move(judged->found));
+  rows->add(judged.which, std::move(judged.found));
   return {};
 }
 

@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "base/parallel.h"
+#include "base/try.h"
 #include "picture/font.h"
 #include "picture/pixels.h"
 
@@ -52,15 +53,14 @@ Result<void> smooth(const DrawRows& draw, int in_pixel, int threads, Image& imag
   const int step = rowsAtOnce(image.width, in_pixel);
   for (int first = 0; first < image.height; first += step) {
     const int last = std::min(image.height, first + step);
-    const auto samples = draw(first, last);
-    if (!samples) return tl::unexpected(samples.error());
+    VORPIPE_LET(samples, draw(first, last));
     constexpr std::size_t grain = 16;
-    parallelFor(static_cast<std::size_t>(last - first), grain, threadsForSteps(samples->ids.size(), threads),
+    parallelFor(static_cast<std::size_t>(last - first), grain, threadsForSteps(samples.ids.size(), threads),
                 [&](std::size_t begin, std::size_t end) {
                   for (int row = static_cast<int>(begin); row < static_cast<int>(end); ++row) {
                     for (int column = 0; column < image.width; ++column) {
                       image.rgba[pixelAt(image, first + row, column)] =
-                          meanOf(*samples, row, column, in_pixel);
+                          meanOf(samples, row, column, in_pixel);
                     }
                   }
                 });

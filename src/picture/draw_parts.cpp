@@ -200,9 +200,8 @@ Result<Image> SampleDrawing::draw(int first, int last) {
   PictureFrame at{0, 0, 0, 0};
   if (part.height > 0 && part.width > 0) {
     const auto room = static_cast<std::size_t>(options_.width) * static_cast<std::size_t>(height);
-    auto drawn = drawParts(machine_.backend, drawing_, nearest_, part, palette_, room);
-    if (!drawn) return tl::unexpected(drawn.error());
-    image = std::move(drawn->image);
+    VORPIPE_VAR(drawn, drawParts(machine_.backend, drawing_, nearest_, part, palette_, room));
+    image = std::move(drawn.image);
     at = {all_.left, lowest + height - (part.bottom + part.height), part.width, part.height};
   }
   putIntoFrame(at, options_.width, height, image);

@@ -7,6 +7,7 @@
 #include "base/inside.h"
 #include "base/parallel.h"
 #include "base/stopwatch.h"
+#include "base/try.h"
 #include "domain/edge_tree.h"
 #include "picture/palette.h"
 #include "sites/bin_sort.h"
@@ -38,14 +39,12 @@ bool areInside(const Sites& sites, const Box& domain, const Rings& rings, int ex
 Result<FoundCells> prepareSites(const Machine& machine, const Sites& sites, const RenderOptions& options) {
   const Stopwatch watch;
   FoundCells found;
-  auto scene = sceneOf(sites, options, machine.threads);
-  if (!scene) return tl::unexpected(scene.error());
-  found.scene = std::move(*scene);
+  VORPIPE_VAR(scene, sceneOf(sites, options, machine.threads));
+  found.scene = std::move(scene);
   const CallersSites callers{sites, [&](std::uint32_t i) { return found.scene.siteOf(i); },
                              found.scene.picture};
-  auto run = beginRun(machine, found.scene.sitesOr(sites), found.scene.clip, &callers);
-  if (!run) return tl::unexpected(run.error());
-  found.run = std::move(*run);
+  VORPIPE_VAR(run, beginRun(machine, found.scene.sitesOr(sites), found.scene.clip, &callers));
+  found.run = std::move(run);
   found.diagram.report.time_ms.order = 1e3 * watch.seconds();
   return found;
 }
@@ -82,21 +81,18 @@ Result<bool> needsCells(const Sites& sites, const RenderOptions& options, int th
   if (options.color == ColorBy::area || options.color == ColorBy::neighbors || hasWeights(sites)) return true;
   if (options.outline.empty()) return false;
   const int exponent = scaleExponent(options.domain);
-  const auto rings = ringsOf(options.outline, exponent);
-  if (!rings) return tl::unexpected(rings.error());
-  return !areInside(sites, options.domain, *rings, exponent, threads);
+  VORPIPE_LET(rings, ringsOf(options.outline, exponent));
+  return !areInside(sites, options.domain, rings, exponent, threads);
 }
 
 Result<KeptPicture> findPicture(const Machine& machine, const Sites& sites, const RenderOptions& options,
                                 bool with_cells) {
-  auto rings = ringsOf(options.outline, scaleExponent(options.domain));
-  if (!rings) return tl::unexpected(rings.error());
+  VORPIPE_VAR(rings, ringsOf(options.outline, scaleExponent(options.domain)));
   CellsOptions cells = cellsOptions(options);
   cells.detail = marksDetail(options);
-  auto found = with_cells ? findCells(machine, sites, cells, ImagesFor::pictures)
-                          : prepareSites(machine, sites, options);
-  if (!found) return tl::unexpected(found.error());
-  KeptPicture kept{std::move(*rings), std::move(*found), {}};
+  VORPIPE_VAR(found, with_cells ? findCells(machine, sites, cells, ImagesFor::pictures)
+                                : prepareSites(machine, sites, options));
+  KeptPicture kept{std::move(rings), std::move(found), {}};
   kept.before.held.uploads = machine.uploads;
   SiteRun& run = *kept.found.run;
   if (run.cells) {
@@ -110,16 +106,15 @@ Result<KeptPicture> findPicture(const Machine& machine, const Sites& sites, cons
 
 Result<void> colorPicture(const Sites& sites, const RenderOptions& options, int threads, KeptPicture& kept) {
   if (kept.colors && areSame(*kept.colors, options)) return {};
-  auto found = paletteIndices(sites, kept.found.diagram, options, threads);
-  if (!found) return tl::unexpected(found.error());
+  VORPIPE_VAR(found, paletteIndices(sites, kept.found.diagram, options, threads));
   const SiteSet& set = kept.found.run->prepared.set;
   std::vector<std::uint8_t> indices(set.size());
   std::ranges::transform(set.id, indices.begin(),
-                         [&](std::uint32_t id) { return found->index[kept.found.scene.siteOf(id)]; });
+                         [&](std::uint32_t id) { return found.index[kept.found.scene.siteOf(id)]; });
   const bool same = kept.colors && kept.colors->index == indices;
   if (!same) kept.before.held.after.reset();
   kept.colors = KeptPicture::Colors{options.color,  options.color_scale, options.color_range,
-                                    options.legend, std::move(indices),  std::move(found->key)};
+                                    options.legend, std::move(indices),  std::move(found.key)};
   return {};
 }
 

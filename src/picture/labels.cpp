@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "base/try.h"
 #include "picture/font.h"
 #include "vorpipe/shapes.h"
 
@@ -251,9 +252,8 @@ std::uint32_t inkOn(std::uint32_t rgba) {
 Result<std::vector<SiteLabel>> siteLabels(const Sites& sites, const Diagram& cells,
                                           const RenderOptions& options, int threads) {
   const bool periodic = options.periodic != Periodic::none;
-  const auto placed = periodic ? wrapped(sites, options.domain, options.periodic, threads) : Sites{};
-  if (!placed) return tl::unexpected(placed.error());
-  const Sites& at = periodic ? *placed : sites;
+  VORPIPE_LET(placed, periodic ? wrapped(sites, options.domain, options.periodic, threads) : Sites{});
+  const Sites& at = periodic ? placed : sites;
   const PicturePlaces places(options);
   const double dot = dotRadius(cells, options, places);
   const double margin = labelMargin(options), edge = options.edges ? (options.edge_width + 1) / 2 : 0;

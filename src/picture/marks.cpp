@@ -3,6 +3,7 @@
 #include <cmath>
 #include <utility>
 
+#include "base/try.h"
 #include "vorpipe.h"
 #include "vorpipe/shapes.h"
 
@@ -125,9 +126,8 @@ bool drawsEdge(const Cell& cell, std::size_t edge) {
 Result<std::vector<Line>> dualLines(const Sites& sites, const Diagram& cells, const RenderOptions& options,
                                     int threads) {
   const bool periodic = options.periodic != Periodic::none;
-  const auto placed = periodic ? wrapped(sites, options.domain, options.periodic, threads) : Sites{};
-  if (!placed) return tl::unexpected(placed.error());
-  const Sites& at = periodic ? *placed : sites;
+  VORPIPE_LET(placed, periodic ? wrapped(sites, options.domain, options.periodic, threads) : Sites{});
+  const Sites& at = periodic ? placed : sites;
   const double width = options.domain.xmax - options.domain.xmin;
   const double height = options.domain.ymax - options.domain.ymin;
   const PicturePlaces places(options);
@@ -154,14 +154,12 @@ Result<Marks> marksOf(const Sites& sites, const Diagram& cells, const RenderOpti
     marks.outline = outlineLines(options);
   }
   if (options.dual) {
-    auto lines = dualLines(sites, cells, options, threads);
-    if (!lines) return tl::unexpected(std::move(lines.error()));
-    marks.dual = std::move(*lines);
+    VORPIPE_VAR(lines, dualLines(sites, cells, options, threads));
+    marks.dual = std::move(lines);
   }
   if (options.labels) {
-    auto labels = siteLabels(sites, cells, options, threads);
-    if (!labels) return tl::unexpected(std::move(labels.error()));
-    marks.labels = std::move(*labels);
+    VORPIPE_VAR(labels, siteLabels(sites, cells, options, threads));
+    marks.labels = std::move(labels);
   }
   return marks;
 }

@@ -126,13 +126,12 @@ Result<PaletteIndices> paletteIndices(const Sites& sites, const Diagram& cells, 
   for (std::size_t i = 0; i < sites.size(); ++i) {
     if (hasCell(i)) values.push_back(valueOf(i));
   }
-  const auto places =
-      ColorPlaces::of({options.color, options.color_scale, options.color_range}, std::move(values), threads);
-  if (!places) return tl::unexpected(places.error());
-  PaletteIndices indices{std::vector<std::uint8_t>(sites.size()), places->key()};
+  VORPIPE_LET(places, ColorPlaces::of({options.color, options.color_scale, options.color_range},
+                                      std::move(values), threads));
+  PaletteIndices indices{std::vector<std::uint8_t>(sites.size()), places.key()};
   parallelFor(sites.size(), palette_index_grain, threads, [&](std::size_t begin, std::size_t end) {
     for (auto i = begin; i < end; ++i) {
-      if (hasCell(i)) indices.index[i] = places->colorOf(valueOf(i));
+      if (hasCell(i)) indices.index[i] = places.colorOf(valueOf(i));
     }
   });
   return indices;
@@ -149,15 +148,13 @@ std::vector<std::string> colormaps() {
 }
 
 Result<SiteColors> siteColors(const Sites& sites, const Diagram& cells, const RenderOptions& options) {
-  const auto palette = core::paletteByName(options.colormap);
-  if (!palette) return tl::unexpected(palette.error());
-  auto indices = core::paletteIndices(sites, cells, options, 0);
-  if (!indices) return tl::unexpected(indices.error());
+  VORPIPE_LET(palette, core::paletteByName(options.colormap));
+  VORPIPE_VAR(indices, core::paletteIndices(sites, cells, options, 0));
   SiteColors colors;
-  colors.key = indices->key;
+  colors.key = indices.key;
   colors.rgba.resize(sites.size());
-  std::ranges::transform(indices->index, colors.rgba.begin(),
-                         [&](std::uint8_t index) { return (*palette)[index]; });
+  std::ranges::transform(indices.index, colors.rgba.begin(),
+                         [&](std::uint8_t index) { return palette[index]; });
   return colors;
 }
 

@@ -115,9 +115,8 @@ Result<void> finish(const Sites& sites, const KeptPicture& kept, const RenderOpt
 
 Result<Rendering> renderKept(const Machine& machine, const Sites& sites, const RenderOptions& options,
                              const Marks& marks, KeptPicture& kept) {
-  const auto colormap = paletteByName(options.colormap);
-  if (!colormap) return tl::unexpected(colormap.error());
-  const Palette palette = options.fill ? *colormap : whitePalette();
+  VORPIPE_LET(colormap, paletteByName(options.colormap));
+  const Palette palette = options.fill ? colormap : whitePalette();
   Rendering rendering;
   Report& report = rendering.report;
   beginReport(kept, report);
@@ -137,11 +136,10 @@ Result<Rendering> renderKept(const Machine& machine, const Sites& sites, const R
                       palette_indices, std::move(what), kept.before);
   const NearestSites nearest{run->judge, set, palette_indices, scene.sitesOr(sites).size(), machine.threads};
   const auto room = static_cast<std::size_t>(options.width) * static_cast<std::size_t>(options.height);
-  auto picture = drawParts(machine.backend, drawing, nearest, shown, palette, room);
-  if (!picture) return tl::unexpected(picture.error());
-  rendering.image = std::move(picture->image);
-  report.time_ms.download = 1e3 * picture->download_seconds;
-  report.pixels = picture->uncovered;
+  VORPIPE_VAR(picture, drawParts(machine.backend, drawing, nearest, shown, palette, room));
+  rendering.image = std::move(picture.image);
+  report.time_ms.download = 1e3 * picture.download_seconds;
+  report.pixels = picture.uncovered;
   drawing.describe(report);
   std::optional<SampleDrawing> samples;
   if (options.antialias > 1) samples.emplace(machine, nearest, options, palette, kept);
@@ -166,24 +164,20 @@ Result<void> checkRender(const RenderOptions& options) {
 
 Result<Rendering> renderOn(const Machine& machine, const Sites& sites, const RenderOptions& options) {
   VORPIPE_TRY(checkRender(options));
-  const auto with_cells = needsCells(sites, options, machine.threads);
-  if (!with_cells) return tl::unexpected(with_cells.error());
+  VORPIPE_LET(with_cells, needsCells(sites, options, machine.threads));
   // Done before the drawn cells, since only one run at a time has the exact tier. If the picture is not drawn
   // from cells as data, these cells change no pixel's site.
   std::optional<Diagram> apart;
-  if (marksNeedCells(options) && !*with_cells) {
+  if (marksNeedCells(options) && !with_cells) {
     CellsOptions wanted = cellsOptions(options);
     wanted.detail = marksDetail(options);
-    auto found = cellsOn(machine, sites, wanted);
-    if (!found) return tl::unexpected(found.error());
-    apart = std::move(*found);
+    VORPIPE_VAR(found, cellsOn(machine, sites, wanted));
+    apart = std::move(found);
   }
-  auto kept = findPicture(machine, sites, options, *with_cells);
-  if (!kept) return tl::unexpected(kept.error());
-  const auto marks = marksOf(sites, apart ? *apart : kept->found.diagram, options, machine.threads);
-  if (!marks) return tl::unexpected(marks.error());
+  VORPIPE_VAR(kept, findPicture(machine, sites, options, with_cells));
+  VORPIPE_LET(marks, marksOf(sites, apart ? *apart : kept.found.diagram, options, machine.threads));
   apart.reset();
-  return renderKept(machine, sites, options, *marks, *kept);
+  return renderKept(machine, sites, options, marks, kept);
 }
 
 }  // namespace vorpipe::core

@@ -31,9 +31,8 @@ class Opened {
   Result<Runs*> with(Masked masked, const Mask& mask) {
     std::unique_ptr<Runs>& runs = runs_[masked];
     if (!runs) {
-      auto opened = open_(mask);
-      if (!opened) return tl::unexpected(std::move(opened.error()));
-      runs = std::move(*opened);
+      VORPIPE_VAR(opened, open_(mask));
+      runs = std::move(opened);
     }
     return runs.get();
   }
@@ -108,23 +107,21 @@ class Test {
   }
 
   Result<void> runRound(const Round& round) {
-    const auto reference = referenceOf(round);
-    if (!reference) return tl::unexpected(reference.error());
-    if (failedWith(ErrorCode::cancelled, *reference)) return cancelled();
-    const std::string fault = faultByCheck(*reference, round.scene, round.refusable(), options_.threads);
+    VORPIPE_LET(reference, referenceOf(round));
+    if (failedWith(ErrorCode::cancelled, reference)) return cancelled();
+    const std::string fault = faultByCheck(reference, round.scene, round.refusable(), options_.threads);
     for (std::size_t index = 0; index < tested_.size(); index++) {
       done_++;
       const bool means_nothing = round.kind.masked != Masked::nothing && !tested_[index].masked;
       if (means_nothing) continue;
-      VORPIPE_TRY(runOn(index, round, *reference, fault));
+      VORPIPE_TRY(runOn(index, round, reference, fault));
     }
     return {};
   }
 
   Result<Outcome> referenceOf(const Round& round) {
-    const auto runs = reference_.with(Masked::nothing, {});
-    if (!runs) return tl::unexpected(runs.error());
-    return compute(**runs, round.scene, stopping(fmt::format("{} by cpu", round.kind.group)));
+    VORPIPE_LET(runs, reference_.with(Masked::nothing, {}));
+    return compute(*runs, round.scene, stopping(fmt::format("{} by cpu", round.kind.group)));
   }
 
   Result<void> runOn(std::size_t index, const Round& round, const Outcome& reference,

@@ -40,9 +40,8 @@ OpenRuns sessionRuns(const BackendOptions& options) {
     BackendOptions masked = options;
     auto& limits = masked.mask.limits;
     limits.insert(limits.end(), mask.limits.begin(), mask.limits.end());
-    auto session = Session::open(masked);
-    if (!session) return tl::unexpected(std::move(session.error()));
-    return std::make_unique<SessionRuns>(std::move(*session));
+    VORPIPE_VAR(session, Session::open(masked));
+    return std::make_unique<SessionRuns>(std::move(session));
   };
 }
 
@@ -54,9 +53,8 @@ Result<std::string> backendNamed(const SelftestOptions& options) {
   chosen.device = options.device;
   chosen.threads = options.threads;
   chosen.mask = options.mask;
-  const auto session = Session::open(chosen);
-  if (!session) return tl::unexpected(session.error());
-  return session->device().backend;
+  VORPIPE_LET(session, Session::open(chosen));
+  return session.device().backend;
 }
 
 bool isNamed(const SelftestDevice& device, std::string_view wanted) {
@@ -77,15 +75,14 @@ Result<std::vector<SelftestDevice>> namedDevices(const SelftestOptions& options)
     return tl::unexpected(Error{
         ErrorCode::input, fmt::format("there is no backend \"{}\"; see vorpipe devices", options.backend)});
   }
-  const auto backend = backendNamed(options);
-  if (!backend) return tl::unexpected(backend.error());
+  VORPIPE_LET(backend, backendNamed(options));
   std::vector<SelftestDevice> named;
   std::map<std::string, int> next;
   for (DeviceInfo& info : devices(options.mask)) {
     SelftestDevice device;
     if (!info.name.empty()) device.index = next[info.backend]++;
     device.info = std::move(info);
-    const bool wanted = backend->empty() || device.info.backend == *backend;
+    const bool wanted = backend.empty() || device.info.backend == backend;
     if (wanted && isNamed(device, options.device)) named.push_back(std::move(device));
   }
   const bool any_usable = std::ranges::any_of(named, [](const auto& device) { return device.info.usable; });
@@ -93,7 +90,7 @@ Result<std::vector<SelftestDevice>> namedDevices(const SelftestOptions& options)
   if (named.empty()) {
     return tl::unexpected(
         Error{ErrorCode::device, fmt::format("there is no device '{}'{}; see vorpipe devices", options.device,
-                                             backend->empty() ? "" : " of " + *backend)});
+                                             backend.empty() ? "" : " of " + backend)});
   }
   return tl::unexpected(Error{ErrorCode::device, named.front().info.reason});
 }
@@ -122,9 +119,8 @@ Result<SelftestReport> run(const SelftestOptions& options) {
   SelftestReport report;
   report.seed = options.seed;
   report.quick = options.quick;
-  auto named = namedDevices(options);
-  if (!named) return tl::unexpected(std::move(named.error()));
-  report.devices = std::move(*named);
+  VORPIPE_VAR(named, namedDevices(options));
+  report.devices = std::move(named);
   std::vector<Tested> tested;
   for (std::size_t i = 0; i < report.devices.size(); i++) {
     SelftestDevice& device = report.devices[i];

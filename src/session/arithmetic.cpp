@@ -174,9 +174,8 @@ Result<Arithmetic> measureArithmetic(Backend& backend) {
   measured.keeps_denormals =
       found[rows_of_a_kind].product == 0x1p-130F && found[rows_of_a_kind + 1].sum == 0x1p-130F;
   if (backend.info().has_vertices) {
-    const auto bits = measureSubpixelBits(backend);
-    if (!bits) return tl::unexpected(bits.error());
-    measured.subpixel_bits = *bits;
+    VORPIPE_LET(bits, measureSubpixelBits(backend));
+    measured.subpixel_bits = bits;
   }
   const DeviceInfo& device = backend.info().device;
   measured.report.backend = device.backend;

@@ -5,6 +5,7 @@
 
 #include "base/parallel.h"
 #include "base/stopwatch.h"
+#include "base/try.h"
 #include "cells/diagram_writer.h"
 
 namespace vorpipe::core {
@@ -44,15 +45,13 @@ Result<Report> findBy(const Agree& agree, const Machine& machine, const Sites& s
   Times& times = report.time_ms;
   const Stopwatch order_watch;
   found = {};
-  auto run = beginRun(machine, sites, domain);
-  if (!run) return tl::unexpected(run.error());
-  found.run = std::move(*run);
+  VORPIPE_VAR(run, beginRun(machine, sites, domain));
+  found.run = std::move(run);
   times.order = 1e3 * order_watch.seconds();
   const Stopwatch watch;
   moments.spread.resize(sites.size());
-  Result<std::optional<AgreedCells>> cells = agree(*found.run, report);
-  if (!cells) return tl::unexpected(cells.error());
-  found.cells = std::move(*cells);
+  VORPIPE_VAR(cells, agree(*found.run, report));
+  found.cells = std::move(cells);
   nameDevice(machine.backend, report);
   if (!found.cells) return report;
   takeMoments(sites, found.cells->records, machine.threads, moments);
@@ -67,9 +66,8 @@ Result<Report> findBy(const Agree& agree, const Machine& machine, const Sites& s
 Result<Report> findMoments(const Machine& machine, const Sites& sites, const CellsOptions& options,
                            FoundBox& found, CellMoments& moments) {
   const auto agree = [&](SiteRun& run, Report& report) -> Result<std::optional<AgreedCells>> {
-    auto cells = agreeOnCells(machine, run, sites, options, moments.spread, report);
-    if (!cells) return tl::unexpected(cells.error());
-    return std::optional(std::move(*cells));
+    VORPIPE_VAR(cells, agreeOnCells(machine, run, sites, options, moments.spread, report));
+    return std::optional(std::move(cells));
   };
   return findBy(agree, machine, sites, options.domain, found, moments);
 }

@@ -105,17 +105,16 @@ class TiledRun {
       }
       return {};
     }
-    const auto found = find_(part, frame);
-    if (!found) return tl::unexpected(found.error());
-    const auto open = openCells(part, *found, knownBox(cells_, tile), threads_);
-    addOpen(part, *found, open);
+    VORPIPE_LET(found, find_(part, frame));
+    const auto open = openCells(part, found, knownBox(cells_, tile), threads_);
+    addOpen(part, found, open);
     auto next = open.begin();
     for (std::uint32_t i = 0; i < part.own.size(); ++i) {
       const bool is_open = next != open.end() && *next == i;
       if (is_open) ++next;
       if (part.own[i] != 0 && !is_open) which.push_back(i);
     }
-    return take(part, *found, which);
+    return take(part, found, which);
   }
 
   void addOpen(const PartSites& part, const PartCells& found, std::span<const std::uint32_t> open) {
@@ -209,8 +208,7 @@ Result<TiledReport> CellsInTiles::measure(const SitesInPlace& sites, const Cells
     VORPIPE_TRY(checkOptions({}, checked));
     Session::State& on = *session_.state_;
     const Stopwatch watch;
-    auto cells = SiteCells::over(sites, options_.domain, on.threads, options_.progress);
-    if (!cells) return tl::unexpected(cells.error());
+    VORPIPE_VAR(cells, SiteCells::over(sites, options_.domain, on.threads, options_.progress));
     const double order_ms = watch.milliseconds();
     Progress go_on;
     // Progress within a tile is not reported: the stages would restart for each tile.
@@ -220,7 +218,7 @@ Result<TiledReport> CellsInTiles::measure(const SitesInPlace& sites, const Cells
     }
     const FindPart find = [&](const PartSites& part, const PartFrame& frame) {
       return on.device.run<PartCells>([&](Backend& backend) {
-        return cellsOfPart(on.with(backend), *cells, part, frame, options_.search, go_on);
+        return cellsOfPart(on.with(backend), cells, part, frame, options_.search, go_on);
       });
     };
     const CellsSink counted = [&](auto numbers, auto measures) -> Result<void> {
@@ -228,7 +226,7 @@ Result<TiledReport> CellsInTiles::measure(const SitesInPlace& sites, const Cells
       if (go_on && !go_on("", done)) return tl::unexpected(Error{ErrorCode::cancelled, "cancelled"});
       return sink(numbers, measures);
     };
-    auto made = TiledRun(find, options_, on.threads, *cells, counted).run();
+    auto made = TiledRun(find, options_, on.threads, cells, counted).run();
     if (!made) return made;
     VORPIPE_TRY(checkSum(*made, options_.domain));
     Times& times = made->report.time_ms;

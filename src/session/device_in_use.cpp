@@ -1,4 +1,5 @@
 #include "session/device_in_use.h"
+#include "base/try.h"
 
 #include <fmt/core.h>
 #include <fmt/format.h>
@@ -23,9 +24,8 @@ std::string lessText(const std::string& backend, const Bounds& bounds) {
 }  // namespace
 
 Result<DeviceInUse> DeviceInUse::open(const BackendOptions& options) {
-  auto opened = openBackend(options);
-  if (!opened) return tl::unexpected(opened.error());
-  return DeviceInUse(options, std::move(*opened));
+  VORPIPE_VAR(opened, openBackend(options));
+  return DeviceInUse(options, std::move(opened));
 }
 
 DeviceInUse::DeviceInUse(BackendOptions options, OpenedBackend opened) : options_(std::move(options)) {
@@ -47,9 +47,8 @@ void DeviceInUse::take(OpenedBackend opened) {
 /// released in between.
 Result<void> DeviceInUse::reopen() {
   if (opened_.backend) return {};
-  auto opened = openBackend(options_);
-  if (!opened) return tl::unexpected(opened.error());
-  opened_.backend = std::move(opened->backend);
+  VORPIPE_VAR(opened, openBackend(options_));
+  opened_.backend = std::move(opened.backend);
   ++uploads_;
   return {};
 }

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "base/parallel.h"
+#include "base/try.h"
 #include "vorpipe.h"
 #include "vorpipe/shapes.h"
 
@@ -142,9 +143,8 @@ Result<Workload> workloadOf(const Sites& sites, const CellsOptions& options, Ima
   work.device_on_host = device.type == "cpu";
   work.beside_drivers = device.beside_drivers;
   work.threads = threads;
-  const auto all = sitesAndImages(sites, options.domain, options.periodic, purpose, threads);
-  if (!all) return tl::unexpected(all.error());
-  work.images = *all - work.sites;
+  VORPIPE_LET(all, sitesAndImages(sites, options.domain, options.periodic, purpose, threads));
+  work.images = all - work.sites;
   return work;
 }
 

@@ -87,9 +87,8 @@ Result<Marks> KeptSites::State::marks(const RenderOptions& wanted) {
   if (!polygons) {
     CellsOptions cells = cellsOptions(wanted);
     cells.detail = Detail::polygons;
-    auto found = session->cells(sites, cells);
-    if (!found) return tl::unexpected(found.error());
-    polygons = std::move(*found);
+    VORPIPE_VAR(found, session->cells(sites, cells));
+    polygons = std::move(found);
   }
   return marksOf(sites, *polygons, wanted, session->state_->threads);
 }
@@ -109,9 +108,8 @@ Result<KeptSites::State::Kept*> KeptSites::State::find(const Session::State& on,
   auto& there = kept[with_cells ? 1 : 0];
   if (there) return &*there;
   auto exact = openExactTier(on.threads);
-  auto found = findPicture(on.with(backend, *exact), sites, wanted, with_cells);
-  if (!found) return tl::unexpected(found.error());
-  there = Kept{std::move(exact), std::move(*found)};
+  VORPIPE_VAR(found, findPicture(on.with(backend, *exact), sites, wanted, with_cells));
+  there = Kept{std::move(exact), std::move(found)};
   return &*there;
 }
 
@@ -128,15 +126,12 @@ Result<Rendering> KeptSites::render(const RenderOptions& options) {
     Session::State& on = *state_->session->state_;
     VORPIPE_TRY(state_->take(cellsOptions(options)));
     VORPIPE_TRY(checkRender(options));
-    const auto with_cells = state_->needsCells(options, on.threads);
-    if (!with_cells) return tl::unexpected(with_cells.error());
-    const auto marks = state_->marks(options);
-    if (!marks) return tl::unexpected(marks.error());
+    VORPIPE_LET(with_cells, state_->needsCells(options, on.threads));
+    VORPIPE_LET(marks, state_->marks(options));
     return on.device.run<Rendering>([&](Backend& backend) -> Result<Rendering> {
-      const auto kept = state_->find(on, backend, options, *with_cells);
-      if (!kept) return tl::unexpected(kept.error());
-      auto& [exact, picture] = **kept;
-      return renderKept(on.with(backend, *exact), state_->sites, options, *marks, picture);
+      VORPIPE_LET(kept, state_->find(on, backend, options, with_cells));
+      auto& [exact, picture] = *kept;
+      return renderKept(on.with(backend, *exact), state_->sites, options, marks, picture);
     });
   } catch (const std::bad_alloc&) {
     return tl::unexpected(outOfMemory());
@@ -152,10 +147,9 @@ Result<const Diagram*> KeptSites::measures(const CellsOptions& options) {
     if (!options.density.values.empty()) {
       if (s.with_mass && areSame(s.options->density, options.density)) return &*s.with_mass;
       s.with_mass.reset();
-      auto cells = s.session->cells(s.sites, wanted);
-      if (!cells) return tl::unexpected(cells.error());
+      VORPIPE_VAR(cells, s.session->cells(s.sites, wanted));
       s.options->density = options.density;
-      s.with_mass = std::move(*cells);
+      s.with_mass = std::move(cells);
       return &*s.with_mass;
     }
     RenderOptions picture{};
@@ -167,9 +161,8 @@ Result<const Diagram*> KeptSites::measures(const CellsOptions& options) {
     Session::State& on = *s.session->state_;
     State::Kept* kept = nullptr;
     const auto noted = on.device.run<Noted>([&](Backend& backend) -> Result<Noted> {
-      const auto found = s.find(on, backend, picture, true);
-      if (!found) return tl::unexpected(found.error());
-      kept = *found;
+      VORPIPE_LET(found, s.find(on, backend, picture, true));
+      kept = found;
       return Noted{};
     });
     if (!noted) return tl::unexpected(noted.error());

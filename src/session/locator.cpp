@@ -99,22 +99,20 @@ struct Locator::State {
 };
 
 Result<void> Locator::State::prepareSet(const Sites& from, const Box& box, const CallersSites* callers) {
-  auto prepared = prepare(from, box, threads, callers);
-  if (!prepared) return tl::unexpected(prepared.error());
-  sites = std::move(prepared->set);
-  set_scale = PowerOfTwo(prepared->exponent);
+  VORPIPE_VAR(prepared, prepare(from, box, threads, callers));
+  sites = std::move(prepared.set);
+  set_scale = PowerOfTwo(prepared.exponent);
   return {};
 }
 
 Result<void> Locator::State::takeSites(const Sites& callers, const CellsOptions& options) {
   if (options.periodic == Periodic::none) return prepareSet(callers, options.domain, nullptr);
-  auto placed = placeSites(callers, options.domain, options.periodic, threads);
-  if (!placed) return tl::unexpected(placed.error());
+  VORPIPE_VAR(placed, placeSites(callers, options.domain, options.periodic, threads));
   // The images that a picture of the domain needs suffice for places in it.
-  ImagedSites imaged = withImages(*placed, bandForPlaces(*placed, threads));
-  const CallersSites named{callers, [&](std::uint32_t i) { return imaged.siteOf(i); }, placed->domain()};
+  ImagedSites imaged = withImages(placed, bandForPlaces(placed, threads));
+  const CallersSites named{callers, [&](std::uint32_t i) { return imaged.siteOf(i); }, placed.domain()};
   VORPIPE_TRY(prepareSet(imaged.sites, imaged.box, &named));
-  repeated = Repeated{placed->axis, std::move(static_cast<SiteImages&>(imaged))};
+  repeated = Repeated{placed.axis, std::move(static_cast<SiteImages&>(imaged))};
   return {};
 }
 
@@ -151,9 +149,8 @@ Result<Locator> Locator::make(const Sites& sites, const CellsOptions& options, i
     const int exponent = scaleExponent(options.domain);
     state.scale = PowerOfTwo(exponent);
     if (!options.outline.empty()) {
-      auto rings = ringsOf(options.outline, exponent);
-      if (!rings) return tl::unexpected(rings.error());
-      state.outline = std::make_unique<OutlineSearch>(std::move(*rings));
+      VORPIPE_VAR(rings, ringsOf(options.outline, exponent));
+      state.outline = std::make_unique<OutlineSearch>(std::move(rings));
     }
     state.search = openPlaceSearch(state.sites, threads);
     return locator;

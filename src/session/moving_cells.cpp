@@ -56,11 +56,10 @@ Result<void> MovingCells::State::findInBox(const Sites& sites, bool unless_empty
   auto done = session->device.run<Done>([&](Backend& backend) -> Result<Done> {
     const Machine machine = session->with(backend);
     const auto find = unless_empty ? findMomentsUnlessEmpty : findMoments;
-    auto made = find(machine, sites, options, found, moments);
-    if (!made) return tl::unexpected(made.error());
+    VORPIPE_VAR(made, find(machine, sites, options, found, moments));
     if (found.cells && surface == Surface::free)
-      cutByDiscs(found, sites, machine.threads, moments, *made, free_surface);
-    return Done{std::move(*made)};
+      cutByDiscs(found, sites, machine.threads, moments, made, free_surface);
+    return Done{std::move(made)};
   });
   if (!done) return tl::unexpected(done.error());
   takeReport(std::move(done->report));
@@ -90,16 +89,14 @@ Result<void> MovingCells::State::findPolygons(const Sites& sites) {
     Report report;
   };
   auto done = session->device.run<Done>([&](Backend& backend) -> Result<Done> {
-    auto made = findCells(session->with(backend), sites, options, ImagesFor::pictures);
-    if (!made) return tl::unexpected(made.error());
-    Report made_report = std::move(made->diagram.report);
-    return Done{std::move(*made), std::move(made_report)};
+    VORPIPE_VAR(made, findCells(session->with(backend), sites, options, ImagesFor::pictures));
+    Report made_report = std::move(made.diagram.report);
+    return Done{std::move(made), std::move(made_report)};
   });
   if (!done) return tl::unexpected(done.error());
   takeReport(std::move(done->report));
-  auto placed = wrapped(sites, options.domain, options.periodic, session->threads);
-  if (!placed) return tl::unexpected(placed.error());
-  places = std::move(*placed);
+  VORPIPE_VAR(placed, wrapped(sites, options.domain, options.periodic, session->threads));
+  places = std::move(placed);
   takePolygons(std::move(done->cells));
   return {};
 }

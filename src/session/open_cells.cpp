@@ -121,10 +121,9 @@ Result<void> settleOpenCells(
                                       own.size(), all.size(), most)));
     }
     const PartSites part = sitesOf(cells, all, own);
-    const auto found = find(part, frameOf(cells));
-    if (!found) return tl::unexpected(found.error());
-    Left left = lookAround(cells, part, *found, at_corner, threads);
-    VORPIPE_TRY(settled(part, *found, left.settled));
+    VORPIPE_LET(found, find(part, frameOf(cells)));
+    Left left = lookAround(cells, part, found, at_corner, threads);
+    VORPIPE_TRY(settled(part, found, left.settled));
     own = std::move(left.open);
     // Sites of earlier rounds stay: a site that ties with a corner need not be a neighbor.
     append(others, left.around);

@@ -24,10 +24,9 @@ namespace {
 Result<Diagram> cellsAndMass(const Machine& machine, const Sites& sites, const CellsOptions& options) {
   VORPIPE_TRY(checkOptions(sites, options));
   if (options.density.values.empty()) return cellsOn(machine, sites, options);
-  auto found = findCells(machine, sites, options, ImagesFor::pictures);
-  if (!found) return tl::unexpected(found.error());
-  VORPIPE_TRY(measureMass(options, sites, machine.threads, *found));
-  return std::move(found->diagram);
+  VORPIPE_VAR(found, findCells(machine, sites, options, ImagesFor::pictures));
+  VORPIPE_TRY(measureMass(options, sites, machine.threads, found));
+  return std::move(found.diagram);
 }
 
 }  // namespace
@@ -38,11 +37,10 @@ Session& Session::operator=(Session&&) noexcept = default;
 Session::~Session() = default;
 
 Result<Session> Session::open(const BackendOptions& options) {
-  auto device = DeviceInUse::open(options);
-  if (!device) return tl::unexpected(device.error());
+  VORPIPE_VAR(device, DeviceInUse::open(options));
   Session session;
   session.state_ =
-      std::make_unique<State>(State{std::move(*device), openExactTier(options.threads), options.threads});
+      std::make_unique<State>(State{std::move(device), openExactTier(options.threads), options.threads});
   return session;
 }
 

@@ -6,6 +6,7 @@
 #include <numeric>
 
 #include "base/parallel.h"
+#include "base/try.h"
 #include "cells/cell_walk.h"
 #include "session/tiles.h"
 
@@ -192,9 +193,8 @@ PartFrame frameOf(const SiteCells& cells) {
 Result<PartCells> cellsOfPart(const Machine& machine, const SiteCells& cells, const PartSites& part,
                               PartFrame frame, const SearchOptions& search, const Progress& progress) {
   frame.prepared.names = part.number;
-  auto prepared = preparePart(part.sites, frame.prepared, machine.threads);
-  if (!prepared) return tl::unexpected(prepared.error());
-  if (!frame.has_order) takeOrder(cells, prepared->set);
+  VORPIPE_VAR(prepared, preparePart(part.sites, frame.prepared, machine.threads));
+  if (!frame.has_order) takeOrder(cells, prepared.set);
   const Unscale unscale(cells.exponent());
   const Box& box = frame.prepared.domain;
   CellsOptions options{};
@@ -202,12 +202,11 @@ Result<PartCells> cellsOfPart(const Machine& machine, const SiteCells& cells, co
   options.search = search;
   options.detail = Detail::measures;
   options.progress = progress;
-  auto run = std::make_unique<SiteRun>(std::move(*prepared), machine);
+  auto run = std::make_unique<SiteRun>(std::move(prepared), machine);
   Report report;
-  auto agreed = agreeOnCells(machine, *run, part.sites, options, {}, report);
-  if (!agreed) return tl::unexpected(agreed.error());
+  VORPIPE_VAR(agreed, agreeOnCells(machine, *run, part.sites, options, {}, report));
   nameDevice(machine.backend, report);
-  return PartCells{std::move(run), std::move(*agreed), std::move(report)};
+  return PartCells{std::move(run), std::move(agreed), std::move(report)};
 }
 
 CellMeasures measuresOf(const PartSites& part, const PartCells& cells, std::size_t i) {

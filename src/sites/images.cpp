@@ -218,13 +218,12 @@ Scene plainScene(const Sites& sites, const Box& domain) {
 
 Result<Scene> sceneOf(const Sites& sites, const RenderOptions& options, int threads) {
   if (options.periodic == Periodic::none) return plainScene(sites, options.domain);
-  auto placed = placeSites(sites, options.domain, options.periodic, threads);
-  if (!placed) return tl::unexpected(placed.error());
-  auto imaged = withImages(*placed, bandForPlaces(*placed, threads));
-  const Box picture = placed->domain();
+  VORPIPE_VAR(placed, placeSites(sites, options.domain, options.periodic, threads));
+  auto imaged = withImages(placed, bandForPlaces(placed, threads));
+  const Box picture = placed.domain();
   // A device finds cells clipped to the domain faster. But cells clipped to more than the picture do not show
   // which sites have a cell in it, unless every site does.
-  const Box clip = placed->all_inside ? imaged.box : picture;
+  const Box clip = placed.all_inside ? imaged.box : picture;
   return Scene{std::move(imaged), clip, picture};
 }
 
@@ -241,14 +240,13 @@ namespace vorpipe {
 
 Result<Sites> wrapped(const Sites& sites, const Box& domain, Periodic periodic, int threads) {
   if (periodic == Periodic::none) return sites;
-  const auto placed = core::placeSites(sites, domain, periodic, threads);
-  if (!placed) return tl::unexpected(placed.error());
-  const core::PowerOfTwo unscale(-placed->exponent);
+  VORPIPE_LET(placed, core::placeSites(sites, domain, periodic, threads));
+  const core::PowerOfTwo unscale(-placed.exponent);
   Sites out{{}, {}, sites.weight};
   for (std::size_t i = 0; i < sites.size(); ++i) {
-    const auto [x, y] = placed->home[i];
-    out.x.push_back(unscale(placed->axis[0].number(placed->sites.x[i], x)));
-    out.y.push_back(unscale(placed->axis[1].number(placed->sites.y[i], y)));
+    const auto [x, y] = placed.home[i];
+    out.x.push_back(unscale(placed.axis[0].number(placed.sites.x[i], x)));
+    out.y.push_back(unscale(placed.axis[1].number(placed.sites.y[i], y)));
   }
   return out;
 }

@@ -167,11 +167,10 @@ Result<Prepared> prepare(const Sites& sites, const Box& domain, int threads, con
   const auto near = surroundings(set.domain);
   const auto extent = extentOf(sites, scale, near, threads);
   if (!extent.usable) return tl::unexpected(firstUnusable(sites, scale));
-  const auto weights = scaledWeights(sites, prepared.exponent, threads);
-  if (!weights) return tl::unexpected(weights.error());
+  VORPIPE_LET(weights, scaledWeights(sites, prepared.exponent, threads));
   set.grid = gridOver(extent, near);
   orderByBins(sites, scale, threads, set, prepared.owner);
-  giveWeights(*weights, threads, set);
+  giveWeights(weights, threads, set);
   VORPIPE_TRY(separate(set, threads, [&](std::uint32_t i, std::uint32_t j) {
     return callers == nullptr ? nearSites(sites, i, j)
                               : nearSites(callers->sites, callers->siteOf(i), callers->siteOf(j));

@@ -125,23 +125,21 @@ class Player {
   }
 
   Result<void> screenshot(const Screenshot& event) {
-    auto image = compositor_.read(event.panel);
-    if (!image) return tl::unexpected(std::move(image.error()));
+    VORPIPE_VAR(image, compositor_.read(event.panel));
     auto file = OutputFile::create(event.path);
     if (!file) {
       file.error().message = fmt::format("{}: {}", position(), file.error().message);
       return tl::unexpected(std::move(file.error()));
     }
-    VORPIPE_TRY(writePng(*file, image->width, image->height, image->rgba));
+    VORPIPE_TRY(writePng(*file, image.width, image.height, image.rgba));
     return file->commit();
   }
 
   /// Records a frame of what is shown; for a timed wait, as many frames as it lasts.
   Result<void> record() {
     records_ = false;
-    auto image = compositor_.read(/*with_panel=*/true);
-    if (!image) return tl::unexpected(std::move(image.error()));
-    VORPIPE_TRY(recorder_->add(*image));
+    VORPIPE_VAR(image, compositor_.read(/*with_panel=*/true));
+    VORPIPE_TRY(recorder_->add(image));
     if (frames_left_ > 0 && --frames_left_ > 0) {
       // Relaxing sites take a step for each frame.
       waitForPicture();
@@ -191,9 +189,8 @@ class App {
 
   Result<void> begin() {
     if (!options_.record.empty()) {
-      auto recorder = openRecorder(options_.record);
-      if (!recorder) return tl::unexpected(std::move(recorder.error()));
-      recorder_ = std::move(*recorder);
+      VORPIPE_VAR(recorder, openRecorder(options_.record));
+      recorder_ = std::move(recorder);
     }
     if (options_.script) {
       player_ = std::make_unique<Player>(std::move(*options_.script), screen_, viewer_, compositor_,
@@ -287,9 +284,8 @@ class App {
     if (viewer_.frame() == nullptr || screen_.width() == 0) return {};
     if (last_shown_.width == 0) watch_ = {};
     VORPIPE_TRY(recordUpToNow());
-    auto image = compositor_.read(/*with_panel=*/true);
-    if (!image) return tl::unexpected(std::move(image.error()));
-    last_shown_ = std::move(*image);
+    VORPIPE_VAR(image, compositor_.read(/*with_panel=*/true));
+    last_shown_ = std::move(image);
     return {};
   }
 
@@ -303,10 +299,9 @@ class App {
       viewer_.request();
       return {};
     }
-    auto image = compositor_.read(/*with_panel=*/false);
-    if (!image) return tl::unexpected(std::move(image.error()));
+    VORPIPE_VAR(image, compositor_.read(/*with_panel=*/false));
     is_over_ = true;
-    return savePng(options_.screenshot, *image);
+    return savePng(options_.screenshot, image);
   }
 
   [[nodiscard]] bool isIdle() const { return to_draw_ == 0; }

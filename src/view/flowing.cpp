@@ -1,4 +1,5 @@
 #include "view/flowing.h"
+#include "base/try.h"
 
 #include <algorithm>
 #include <cmath>
@@ -110,10 +111,9 @@ Result<void> colorFlow(const FluidState& state, FlowColor by, const RenderOption
   RenderOptions scaled = options;
   scaled.color = ColorBy::weight;
   if (scaled.color_scale == ColorScale::automatic) scaled.color_scale = ColorScale::linear;
-  const auto colors = siteColors(valuesOf(state, by), {}, scaled);
-  if (!colors) return tl::unexpected(colors.error());
+  VORPIPE_LET(colors, siteColors(valuesOf(state, by), {}, scaled));
   for (std::size_t at = 0; at < image.ids.size(); ++at) {
-    if (image.ids[at] != no_site) image.rgba[at] = through(colors->rgba[image.ids[at]], image.rgba[at]);
+    if (image.ids[at] != no_site) image.rgba[at] = through(colors.rgba[image.ids[at]], image.rgba[at]);
   }
   return {};
 }

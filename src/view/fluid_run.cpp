@@ -43,9 +43,8 @@ Result<void> FluidRun::begin(Session& session, const FixedFluid& from, const Pro
   setup_.options = from->setup.options;
   FluidOptions options = setup_.options;
   options.progress = progress;
-  auto begun = Fluid::begin(session, from->setup.state, std::move(options));
-  if (!begun) return tl::unexpected(std::move(begun.error()));
-  fluid_ = std::move(*begun);
+  VORPIPE_VAR(begun, Fluid::begin(session, from->setup.state, std::move(options)));
+  fluid_ = std::move(begun);
   now_ = from;
   if (!from->is_begun) take({}, from->stirred);
   return {};

@@ -161,14 +161,13 @@ Result<std::unique_ptr<Recorder>> openFilm(const std::string& path) {
     return deviceError(path +
                        ": films are made by ffmpeg, which is not on PATH; a folder gets numbered PNGs");
   }
-  auto file = OutputFile::create(path);
-  if (!file) return tl::unexpected(std::move(file.error()));
-  if (file->temporary().empty()) {
+  VORPIPE_VAR(file, OutputFile::create(path));
+  if (file.temporary().empty()) {
     return inputError(path + ": a film is no stream: ffmpeg ends it at its beginning");
   }
   // If ffmpeg ends early, writing to it must fail and not end this program.
   signal(SIGPIPE, SIG_IGN);
-  return std::make_unique<Film>(std::move(ffmpeg), path, std::move(*file));
+  return std::make_unique<Film>(std::move(ffmpeg), path, std::move(file));
 }
 
 class Folder final : public Recorder {
@@ -188,10 +187,9 @@ class Folder final : public Recorder {
 }  // namespace
 
 Result<void> savePng(const std::string& path, const Image& image) {
-  auto file = OutputFile::create(path);
-  if (!file) return tl::unexpected(std::move(file.error()));
-  VORPIPE_TRY(writePng(*file, image.width, image.height, image.rgba));
-  return file->commit();
+  VORPIPE_VAR(file, OutputFile::create(path));
+  VORPIPE_TRY(writePng(file, image.width, image.height, image.rgba));
+  return file.commit();
 }
 
 Result<std::unique_ptr<Recorder>> openRecorder(const std::string& path) {

@@ -20,10 +20,9 @@ namespace {
 /// Creates a file, which `write` fills and which then appears whole.
 template <class Write>
 Result<void> writeFile(const std::string& path, const Write& write) {
-  auto file = OutputFile::create(path);
-  if (!file) return tl::unexpected(std::move(file.error()));
-  VORPIPE_TRY(write(*file));
-  return file->commit();
+  VORPIPE_VAR(file, OutputFile::create(path));
+  VORPIPE_TRY(write(file));
+  return file.commit();
 }
 
 }  // namespace
@@ -65,8 +64,7 @@ Result<void> Painter::save(const Save& save) {
     return writeFile(save.path,
                      [&](OutputFile& file) { return writeFluid(file, fluid.state, fluid.options); });
   }
-  const auto format = pictureFormatOf(save.path);
-  if (!format) return tl::unexpected(format.error());
+  VORPIPE_LET(format, pictureFormatOf(save.path));
   // In shapes, coloring by weight works for any values.
   const bool by_flow = save.fluid && save.flow_color != FlowColor::none && save.picture.fill;
   const Sites values = by_flow ? valuesOf(save.fluid->setup.state, save.flow_color) : Sites{};
@@ -79,21 +77,20 @@ Result<void> Painter::save(const Save& save) {
   PictureOutput output{by_flow ? values : *save.sites, picture};
   output.threads = main_.threads();
   std::optional<Diagram> cells;
-  if ((*format)->of_shapes) {
+  if (format->of_shapes) {
     if (!main_.isOpen())
       return tl::unexpected(Error{ErrorCode::device, save.path + ": nothing computes yet"});
     CellsOptions options = cellsOptions(save.picture);
     options.detail = Detail::polygons;
     const bool is_free = save.fluid && save.fluid->setup.options.surface == vorpipe::Surface::free;
-    auto found = is_free ? freeCells(main_.session(), *save.sites, options)
-                         : main_.session().cells(*save.sites, options);
-    if (!found) return tl::unexpected(std::move(found.error()));
-    cells = std::move(*found);
+    VORPIPE_VAR(found, is_free ? freeCells(main_.session(), *save.sites, options)
+                               : main_.session().cells(*save.sites, options));
+    cells = std::move(found);
     output.diagram = &*cells;
   } else {
     output.image = &save.rendering->image;
   }
-  return writeFile(save.path, [&](OutputFile& file) { return (*format)->write(file, output); });
+  return writeFile(save.path, [&](OutputFile& file) { return format->write(file, output); });
 }
 
 }  // namespace vorpipe::view

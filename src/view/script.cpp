@@ -9,6 +9,7 @@
 #include <span>
 #include <utility>
 
+#include "base/try.h"
 #include "io/base/error.h"
 #include "io/base/input_file.h"
 #include "io/base/number.h"
@@ -244,12 +245,10 @@ const std::vector<std::string>& keyNames() {
 }
 
 Result<Script> readScript(const std::string& path) {
-  auto file = InputFile::open(path);
-  if (!file) return tl::unexpected(std::move(file.error()));
+  VORPIPE_VAR(file, InputFile::open(path));
   constexpr std::size_t most = std::size_t{1} << 24;
-  const auto text = readText(*file, most);
-  if (!text) return tl::unexpected(text.error());
-  return parseScript(file->name(), *text);
+  VORPIPE_LET(text, readText(file, most));
+  return parseScript(file.name(), text);
 }
 
 Result<Script> parseScript(const std::string& name, std::string_view text) {

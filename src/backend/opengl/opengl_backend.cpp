@@ -37,9 +37,8 @@ Result<Resources> makeResources(int subpixel_bits) {
   // All other state that matters is off in a new context.
   glDisable(GL_DITHER);
   glDisable(GL_MULTISAMPLE);
-  auto picture = opengl::Picture::create(subpixel_bits);
-  if (!picture) return tl::unexpected(picture.error());
-  Resources resources{std::move(*picture), {}, {}, {}, {}, {}, {}};
+  VORPIPE_VAR(picture, opengl::Picture::create(subpixel_bits));
+  Resources resources{std::move(picture), {}, {}, {}, {}, {}, {}};
   VORPIPE_TRY(opengl::takeErrors("making buffers"));
   return resources;
 }
@@ -151,9 +150,8 @@ Result<std::unique_ptr<Backend>> open(opengl::Device device) {
   Context context = std::move(*device.context);
   const auto scope = context.enter();
   if (!scope) return tl::unexpected(scope.error());
-  auto resources = makeResources(info.subpixel_bits);
-  if (!resources) return tl::unexpected(resources.error());
-  backend = std::make_unique<OpenGlBackend>(std::move(info), std::move(context), std::move(*resources));
+  VORPIPE_VAR(resources, makeResources(info.subpixel_bits));
+  backend = std::make_unique<OpenGlBackend>(std::move(info), std::move(context), std::move(resources));
   return backend;
 }
 
@@ -162,13 +160,12 @@ Result<std::unique_ptr<Backend>> open(opengl::Device device) {
 Result<std::unique_ptr<Backend>> makeOpenGlBackend(const BackendOptions& options, Drivers drivers) {
   Capabilities any;
   VORPIPE_TRY(applyMask(any, options.mask));
-  auto device = opengl::chooseDevice(opengl::findDevices(options.mask, drivers), options.device);
-  if (!device) return tl::unexpected(device.error());
-  if (drivers == Drivers::hardware && device->info.type == "cpu") {
+  VORPIPE_VAR(device, opengl::chooseDevice(opengl::findDevices(options.mask, drivers), options.device));
+  if (drivers == Drivers::hardware && device.info.type == "cpu") {
     return tl::unexpected(
-        Error{ErrorCode::device, fmt::format("opengl: {} is a software driver", device->info.name)});
+        Error{ErrorCode::device, fmt::format("opengl: {} is a software driver", device.info.name)});
   }
-  return open(std::move(*device));
+  return open(std::move(device));
 }
 
 std::vector<DeviceInfo> listOpenGlDevices(const Mask& mask) {

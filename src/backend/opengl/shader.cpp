@@ -1,4 +1,5 @@
 #include "backend/opengl/shader.h"
+#include "base/try.h"
 
 #include <fmt/core.h>
 
@@ -101,9 +102,8 @@ std::size_t programOf(Entries entries, Effort effort) {
 
 Result<void> Program::use(const ProgramText& text) {
   if (name_ == 0) {
-    const auto linked = link(text);
-    if (!linked) return tl::unexpected(linked.error());
-    name_ = *linked;
+    VORPIPE_LET(linked, link(text));
+    name_ = linked;
   }
   glUseProgram(name_);
   return {};

@@ -22,15 +22,14 @@ Result<OpenedBackend> opened(Made made, std::string choice = {}) {
 bool isHardware(const Made& made) { return made && (*made)->info().device.type != "cpu"; }
 
 Result<OpenedBackend> openVulkan(const BackendOptions& options, Drivers drivers) {
-  auto made = makeVulkanBackend(options, drivers);
-  if (!made) return tl::unexpected(made.error());
-  if (!made->without_compute) {
-    return opened(std::move(made->backend),
+  VORPIPE_VAR(made, makeVulkanBackend(options, drivers));
+  if (!made.without_compute) {
+    return opened(std::move(made.backend),
                   "vulkan took vulkan-compute: it needs no geometry shader and runs on all threads");
   }
   return opened(
-      std::move(made->backend),
-      fmt::format("vulkan took vulkan-geometry: vulkan-compute failed ({})", made->without_compute->message));
+      std::move(made.backend),
+      fmt::format("vulkan took vulkan-geometry: vulkan-compute failed ({})", made.without_compute->message));
 }
 
 // Returns the backends that take over when one fails during work: the others, in the order of the choice.

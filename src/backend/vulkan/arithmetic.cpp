@@ -9,6 +9,7 @@
 #include "backend/vulkan/buffer.h"
 #include "backend/vulkan/compute_kernels.h"
 #include "backend/vulkan/error.h"
+#include "base/try.h"
 #include "shaders.h"
 
 namespace vorpipe::vulkan {
@@ -35,19 +36,16 @@ Result<void> compute(Device& device, std::uint64_t storage_range, std::span<cons
   Buffer answered({"what was computed", VK_BUFFER_USAGE_STORAGE_BUFFER_BIT, Placement::download});
   VORPIPE_TRY(sent.reserve(device, at_once * sizeof(Operands), at_once * sizeof(Operands)));
   VORPIPE_TRY(answered.reserve(device, at_once * sizeof(Computed), at_once * sizeof(Computed)));
-  Result<Bindings> bindings = Bindings::create(device, bindings_used, sizeof(Slice));
-  if (!bindings) return tl::unexpected(std::move(bindings).error());
-  bindings->setStorage(device, BINDING_ENTRIES, sent.get(), at_once * sizeof(Operands));
-  bindings->setStorage(device, BINDING_STATUS, answered.get(), at_once * sizeof(Computed));
-  Result<ComputeKernels> kernels = ComputeKernels::create(device);
-  if (!kernels) return tl::unexpected(std::move(kernels).error());
-  const Result<VkPipeline> kernel = kernels->kernel(device, bindings->layout(), shaders::arithmetic());
-  if (!kernel) return tl::unexpected(kernel.error());
+  VORPIPE_VAR(bindings, Bindings::create(device, bindings_used, sizeof(Slice)));
+  bindings.setStorage(device, BINDING_ENTRIES, sent.get(), at_once * sizeof(Operands));
+  bindings.setStorage(device, BINDING_STATUS, answered.get(), at_once * sizeof(Computed));
+  VORPIPE_VAR(kernels, ComputeKernels::create(device));
+  VORPIPE_LET(kernel, kernels.kernel(device, bindings.layout(), shaders::arithmetic()));
   for (std::size_t first = 0; first < operands.size(); first += at_once) {
     const std::size_t count = std::min(at_once, operands.size() - first);
     std::memcpy(sent.data(), &operands[first], count * sizeof(Operands));
     VORPIPE_TRY(device.run([&](VkCommandBuffer commands) {
-      dispatch(device, commands, *kernel, *bindings, {0, static_cast<std::uint32_t>(count)}, count);
+      dispatch(device, commands, kernel, bindings, {0, static_cast<std::uint32_t>(count)}, count);
     }));
     std::memcpy(&out[first], answered.data(), count * sizeof(Computed));
   }

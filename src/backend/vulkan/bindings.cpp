@@ -6,6 +6,7 @@
 
 #include "backend/vulkan/error.h"
 #include "backend/vulkan/handle.h"
+#include "base/try.h"
 
 namespace vorpipe::vulkan {
 namespace {
@@ -46,11 +47,10 @@ Result<Bindings> Bindings::create(const Device& device,
       structure<VkDescriptorSetLayoutCreateInfo>(VK_STRUCTURE_TYPE_DESCRIPTOR_SET_LAYOUT_CREATE_INFO);
   set_info.bindingCount = static_cast<std::uint32_t>(bindings.size());
   set_info.pBindings = bindings.data();
-  Result<Handle<VkDescriptorSetLayout>> set_layout =
-      vulkan::create(device.handle(), api.vkCreateDescriptorSetLayout, api.vkDestroyDescriptorSetLayout,
-                     set_info, "vkCreateDescriptorSetLayout");
-  if (!set_layout) return tl::unexpected(std::move(set_layout).error());
-  created.set_layout_ = std::move(*set_layout);
+  VORPIPE_VAR(set_layout,
+              vulkan::create(device.handle(), api.vkCreateDescriptorSetLayout,
+                             api.vkDestroyDescriptorSetLayout, set_info, "vkCreateDescriptorSetLayout"));
+  created.set_layout_ = std::move(set_layout);
   const VkDescriptorSetLayout set_layout_object = created.set_layout_.get();
   const VkPushConstantRange push{VK_SHADER_STAGE_COMPUTE_BIT, 0, push_bytes};
   auto layout_info = structure<VkPipelineLayoutCreateInfo>(VK_STRUCTURE_TYPE_PIPELINE_LAYOUT_CREATE_INFO);
@@ -58,11 +58,9 @@ Result<Bindings> Bindings::create(const Device& device,
   layout_info.pSetLayouts = &set_layout_object;
   layout_info.pushConstantRangeCount = push_bytes > 0 ? 1 : 0;
   layout_info.pPushConstantRanges = &push;
-  Result<Handle<VkPipelineLayout>> layout =
-      vulkan::create(device.handle(), api.vkCreatePipelineLayout, api.vkDestroyPipelineLayout, layout_info,
-                     "vkCreatePipelineLayout");
-  if (!layout) return tl::unexpected(std::move(layout).error());
-  created.layout_ = std::move(*layout);
+  VORPIPE_VAR(layout, vulkan::create(device.handle(), api.vkCreatePipelineLayout, api.vkDestroyPipelineLayout,
+                                     layout_info, "vkCreatePipelineLayout"));
+  created.layout_ = std::move(layout);
   VORPIPE_TRY(created.allocateSet(device, bindings));
   return created;
 }
@@ -78,11 +76,9 @@ Result<void> Bindings::allocateSet(const Device& device,
   pool_info.maxSets = 1;
   pool_info.poolSizeCount = static_cast<std::uint32_t>(sizes.size());
   pool_info.pPoolSizes = sizes.data();
-  Result<Handle<VkDescriptorPool>> pool =
-      vulkan::create(device.handle(), api.vkCreateDescriptorPool, api.vkDestroyDescriptorPool, pool_info,
-                     "vkCreateDescriptorPool");
-  if (!pool) return tl::unexpected(std::move(pool).error());
-  pool_ = std::move(*pool);
+  VORPIPE_VAR(pool, vulkan::create(device.handle(), api.vkCreateDescriptorPool, api.vkDestroyDescriptorPool,
+                                   pool_info, "vkCreateDescriptorPool"));
+  pool_ = std::move(pool);
   const VkDescriptorSetLayout set_layout = set_layout_.get();
   auto info = structure<VkDescriptorSetAllocateInfo>(VK_STRUCTURE_TYPE_DESCRIPTOR_SET_ALLOCATE_INFO);
   info.descriptorPool = pool_.get();

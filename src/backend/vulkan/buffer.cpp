@@ -8,6 +8,7 @@
 
 #include "backend/vulkan/error.h"
 #include "backend/vulkan/handle.h"
+#include "base/try.h"
 
 namespace vorpipe::vulkan {
 namespace {
@@ -86,15 +87,13 @@ Result<void> Buffer::allocateBytes(const Device& device, std::size_t bytes) {
   info.size = bytes;
   info.usage = kind_.usage;
   info.sharingMode = VK_SHARING_MODE_EXCLUSIVE;
-  Result<Handle<VkBuffer>> buffer = create(device.handle(), api.vkCreateBuffer, api.vkDestroyBuffer, info,
-                                           "vkCreateBuffer for " + std::string(kind_.what));
-  if (!buffer) return tl::unexpected(std::move(buffer).error());
+  VORPIPE_VAR(buffer, create(device.handle(), api.vkCreateBuffer, api.vkDestroyBuffer, info,
+                             "vkCreateBuffer for " + std::string(kind_.what)));
   VkMemoryRequirements needed{};
-  api.vkGetBufferMemoryRequirements(device.handle(), buffer->get(), &needed);
-  Result<Handle<VkDeviceMemory>> memory = allocate(device, needed, kind_.placement, kind_.what);
-  if (!memory) return tl::unexpected(std::move(memory).error());
-  memory_ = std::move(*memory);
-  buffer_ = std::move(*buffer);
+  api.vkGetBufferMemoryRequirements(device.handle(), buffer.get(), &needed);
+  VORPIPE_VAR(memory, allocate(device, needed, kind_.placement, kind_.what));
+  memory_ = std::move(memory);
+  buffer_ = std::move(buffer);
   VORPIPE_TRY(
       check(api.vkBindBufferMemory(device.handle(), buffer_.get(), memory_.get(), 0), "vkBindBufferMemory"));
   if (kind_.placement != Placement::device) {
@@ -108,10 +107,9 @@ Result<void> Buffer::allocateBytes(const Device& device, std::size_t bytes) {
   view.buffer = buffer_.get();
   view.format = kind_.texel;
   view.range = VK_WHOLE_SIZE;
-  Result<Handle<VkBufferView>> texels =
-      create(device.handle(), api.vkCreateBufferView, api.vkDestroyBufferView, view, "vkCreateBufferView");
-  if (!texels) return tl::unexpected(std::move(texels).error());
-  texels_ = std::move(*texels);
+  VORPIPE_VAR(texels, create(device.handle(), api.vkCreateBufferView, api.vkDestroyBufferView, view,
+                             "vkCreateBufferView"));
+  texels_ = std::move(texels);
   return {};
 }
 

@@ -11,6 +11,7 @@
 #include "backend/vulkan/error.h"
 #include "backend/vulkan/geometry.h"
 #include "backend/vulkan/handle.h"
+#include "base/try.h"
 
 namespace vorpipe::vulkan {
 namespace {
@@ -59,12 +60,10 @@ Result<void> GeometryBackend::findCells(const CellWork& work, CellNeighbors& out
   VORPIPE_TRY(edges_.reserve(device_, slice * row_bytes,
                              slice_entries * answerRoom(EDGES_MOST, true) * sizeof(std::int32_t)));
   bindings_.setStorage(device_, BINDING_EDGES, edges_.get(), slice * row_bytes);
-  const Result<VkPipeline> pipeline =
-      pipelines_.edges(device_, bindings_.layout(), work.entries, work.effort);
-  if (!pipeline) return tl::unexpected(pipeline.error());
+  VORPIPE_LET(pipeline, pipelines_.edges(device_, bindings_.layout(), work.entries, work.effort));
   const VkBuffer second = work.entries == Entries::lists ? marks_.get() : work.vertices;
-  const Pass pass{*pipeline, pipelines_.emptyPass(),  empty_framebuffer_.get(),
-                  {1, 1},    {work.vertices, second}, work.stride};
+  const Pass pass{pipeline, pipelines_.emptyPass(),  empty_framebuffer_.get(),
+                  {1, 1},   {work.vertices, second}, work.stride};
   for (std::size_t first = 0; first < work.count; first += slice) {
     const std::size_t here = std::min(slice, work.count - first);
     VORPIPE_TRY(run(pass, first, here));
@@ -80,11 +79,9 @@ Result<void> GeometryBackend::createEmptyFramebuffer() {
   info.width = 1;
   info.height = 1;
   info.layers = 1;
-  Result<Handle<VkFramebuffer>> framebuffer =
-      create(device_.handle(), device_.api().vkCreateFramebuffer, device_.api().vkDestroyFramebuffer, info,
-             "vkCreateFramebuffer");
-  if (!framebuffer) return tl::unexpected(std::move(framebuffer).error());
-  empty_framebuffer_ = std::move(*framebuffer);
+  VORPIPE_VAR(framebuffer, create(device_.handle(), device_.api().vkCreateFramebuffer,
+                                  device_.api().vkDestroyFramebuffer, info, "vkCreateFramebuffer"));
+  empty_framebuffer_ = std::move(framebuffer);
   return {};
 }
 

@@ -12,6 +12,7 @@
 #include "backend/view_uniform.h"
 #include "backend/vulkan/arithmetic.h"
 #include "backend/vulkan/error.h"
+#include "base/try.h"
 
 namespace vorpipe::vulkan {
 namespace {
@@ -80,27 +81,20 @@ BackendInfo describe(const Physical& physical, SiteSorter sorter) {
 
 Result<std::unique_ptr<Backend>> ComputeBackend::open(Instance instance, const Physical& physical,
                                                       SiteSorter sorter) {
-  Result<Device> device = Device::open(physical);
-  if (!device) return tl::unexpected(std::move(device).error());
-  Result<Bindings> sites = Bindings::create(*device, clip_bindings, sizeof(Slice));
-  if (!sites) return tl::unexpected(std::move(sites).error());
-  Result<Bindings> lists = Bindings::create(*device, clip_bindings, sizeof(Slice));
-  if (!lists) return tl::unexpected(std::move(lists).error());
+  VORPIPE_VAR(device, Device::open(physical));
+  VORPIPE_VAR(sites, Bindings::create(device, clip_bindings, sizeof(Slice)));
+  VORPIPE_VAR(lists, Bindings::create(device, clip_bindings, sizeof(Slice)));
   std::optional<SortedSites> sorted;
   if (sorter == SiteSorter::device) {
-    Result<SortedSites> created = SortedSites::create(*device);
-    if (!created) return tl::unexpected(std::move(created).error());
-    sorted = std::move(*created);
+    VORPIPE_VAR(created, SortedSites::create(device));
+    sorted = std::move(created);
   }
-  Result<ComputeKernels> kernels = ComputeKernels::create(*device);
-  if (!kernels) return tl::unexpected(std::move(kernels).error());
-  Result<TriangleList> triangles = TriangleList::create(*device);
-  if (!triangles) return tl::unexpected(std::move(triangles).error());
-  Result<Painter> painter = Painter::create(*device);
-  if (!painter) return tl::unexpected(std::move(painter).error());
+  VORPIPE_VAR(kernels, ComputeKernels::create(device));
+  VORPIPE_VAR(triangles, TriangleList::create(device));
+  VORPIPE_VAR(painter, Painter::create(device));
   std::unique_ptr<ComputeBackend> backend(
-      new ComputeBackend({std::move(instance), std::move(*device), std::move(*sites), std::move(*lists),
-                          std::move(sorted), std::move(*kernels), std::move(*triangles), std::move(*painter)},
+      new ComputeBackend({std::move(instance), std::move(device), std::move(sites), std::move(lists),
+                          std::move(sorted), std::move(kernels), std::move(triangles), std::move(painter)},
                          describe(physical, sorter),
                          std::min(physical.capabilities.max_storage_buffer_range,
                                   physical.capabilities.max_memory_allocation_size)));

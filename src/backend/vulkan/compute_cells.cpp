@@ -9,6 +9,7 @@
 #include "backend/to_float.h"
 #include "backend/vulkan/compute.h"
 #include "backend/vulkan/error.h"
+#include "base/try.h"
 #include "shaders.h"
 
 namespace vorpipe::vulkan {
@@ -73,14 +74,13 @@ Result<void> ComputeBackend::findCells(const ClipJob& job, CellNeighbors& out) {
   VORPIPE_TRY(answers_.reserve(device_, answer_bytes, storage_range_));
   job.bindings.setStorage(device_, BINDING_STATUS, answers_.get(), answer_bytes);
   bindPolygons(job.bindings);
-  const Result<VkPipeline> kernel = kernels_.kernel(device_, job.bindings.layout(), job.code, sorted_here_);
-  if (!kernel) return tl::unexpected(kernel.error());
+  VORPIPE_LET(kernel, kernels_.kernel(device_, job.bindings.layout(), job.code, sorted_here_));
   reserve(job.count, room, out);
   for (std::size_t first = 0; first < job.count; first += slice) {
     const std::size_t here = std::min(slice, job.count - first);
     VORPIPE_TRY(device_.run([&](VkCommandBuffer commands) {
       clearBefore(device_, commands, answers_.get(), wordsBytes(here));
-      dispatch(device_, commands, *kernel, job.bindings,
+      dispatch(device_, commands, kernel, job.bindings,
                {static_cast<std::uint32_t>(first), static_cast<std::uint32_t>(here)}, here);
     }));
     append({here, room, answers_.data(), word_bytes, answers_.data() + wordsBytes(here), row_bytes}, out);

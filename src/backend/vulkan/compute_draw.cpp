@@ -7,6 +7,7 @@
 #include "backend/cell_answers.h"
 #include "backend/vulkan/compute.h"
 #include "backend/vulkan/error.h"
+#include "base/try.h"
 #include "shaders.h"
 
 namespace vorpipe::vulkan {
@@ -59,14 +60,13 @@ Result<void> ComputeBackend::drawCells(const ClipJob& job, std::span<CellStatus>
   VORPIPE_TRY(triangles_.reserve(device_, slice, job.room));
   job.bindings.setStorage(device_, BINDING_STATUS, answers_.get(), slice * word);
   bindPolygons(job.bindings);
-  const Result<VkPipeline> kernel = kernels_.kernel(device_, job.bindings.layout(), job.code, sorted_here_);
-  if (!kernel) return tl::unexpected(kernel.error());
+  VORPIPE_LET(kernel, kernels_.kernel(device_, job.bindings.layout(), job.code, sorted_here_));
   for (std::size_t first = 0; first < job.count; first += slice) {
     const std::size_t here = std::min(slice, job.count - first);
     VORPIPE_TRY(triangles_.prepare(device_, kernels_));
     VORPIPE_TRY(device_.run([&](VkCommandBuffer commands) {
       clearBefore(device_, commands, answers_.get(), here * word);
-      dispatch(device_, commands, *kernel, job.bindings,
+      dispatch(device_, commands, kernel, job.bindings,
                {static_cast<std::uint32_t>(first), static_cast<std::uint32_t>(here)}, here);
       orderShaders(device_, commands);
       triangles_.record(device_, commands, here);

@@ -6,6 +6,7 @@
 #include "backend/vulkan/device.h"
 #include "backend/vulkan/error.h"
 #include "backend/vulkan/handle.h"
+#include "base/try.h"
 
 namespace vorpipe::vulkan {
 namespace {
@@ -13,13 +14,12 @@ namespace {
 Result<Handle<VkPipeline>> build(const Device& device, VkPipelineCache cache, VkPipelineLayout layout,
                                  const ComputeKernels::Code& code, bool flag) {
   const VolkDeviceTable& api = device.api();
-  Result<Handle<VkShaderModule>> module = shaderModule(device, code);
-  if (!module) return tl::unexpected(std::move(module).error());
+  VORPIPE_VAR(module, shaderModule(device, code));
   auto info = structure<VkComputePipelineCreateInfo>(VK_STRUCTURE_TYPE_COMPUTE_PIPELINE_CREATE_INFO);
   info.stage =
       structure<VkPipelineShaderStageCreateInfo>(VK_STRUCTURE_TYPE_PIPELINE_SHADER_STAGE_CREATE_INFO);
   info.stage.stage = VK_SHADER_STAGE_COMPUTE_BIT;
-  info.stage.module = module->get();
+  info.stage.module = module.get();
   info.stage.pName = "main";
   info.layout = layout;
   const VkSpecializationMapEntry entry{0, 0, sizeof(VkBool32)};
@@ -49,11 +49,9 @@ void setUp(const Device& device, VkCommandBuffer commands, VkPipeline kernel, co
 Result<ComputeKernels> ComputeKernels::create(const Device& device) {
   ComputeKernels kernels;
   const auto info = structure<VkPipelineCacheCreateInfo>(VK_STRUCTURE_TYPE_PIPELINE_CACHE_CREATE_INFO);
-  Result<Handle<VkPipelineCache>> cache =
-      vulkan::create(device.handle(), device.api().vkCreatePipelineCache, device.api().vkDestroyPipelineCache,
-                     info, "vkCreatePipelineCache");
-  if (!cache) return tl::unexpected(std::move(cache).error());
-  kernels.cache_ = std::move(*cache);
+  VORPIPE_VAR(cache, vulkan::create(device.handle(), device.api().vkCreatePipelineCache,
+                                    device.api().vkDestroyPipelineCache, info, "vkCreatePipelineCache"));
+  kernels.cache_ = std::move(cache);
   return kernels;
 }
 
@@ -61,9 +59,8 @@ Result<VkPipeline> ComputeKernels::kernel(const Device& device, VkPipelineLayout
                                           bool flag) {
   Handle<VkPipeline>& pipeline = made_[{code.name, flag}];
   if (!pipeline) {
-    Result<Handle<VkPipeline>> built = build(device, cache_.get(), layout, code, flag);
-    if (!built) return tl::unexpected(std::move(built).error());
-    pipeline = std::move(*built);
+    VORPIPE_VAR(built, build(device, cache_.get(), layout, code, flag));
+    pipeline = std::move(built);
   }
   return pipeline.get();
 }

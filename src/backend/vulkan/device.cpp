@@ -13,6 +13,7 @@
 #include "backend/vulkan/error.h"
 #include "backend/vulkan/handle.h"
 #include "base/stopwatch.h"
+#include "base/try.h"
 
 namespace vorpipe::vulkan {
 namespace {
@@ -38,10 +39,9 @@ Result<Clock> Clock::create(const Physical& physical, VkDevice device, const Vol
   auto info = structure<VkQueryPoolCreateInfo>(VK_STRUCTURE_TYPE_QUERY_POOL_CREATE_INFO);
   info.queryType = VK_QUERY_TYPE_TIMESTAMP;
   info.queryCount = ends;
-  Result<Handle<VkQueryPool>> pool =
-      vulkan::create(device, api.vkCreateQueryPool, api.vkDestroyQueryPool, info, "vkCreateQueryPool");
-  if (!pool) return tl::unexpected(std::move(pool).error());
-  clock.pool_ = std::move(*pool);
+  VORPIPE_VAR(
+      pool, vulkan::create(device, api.vkCreateQueryPool, api.vkDestroyQueryPool, info, "vkCreateQueryPool"));
+  clock.pool_ = std::move(pool);
   return clock;
 }
 
@@ -146,9 +146,8 @@ Result<Device> Device::open(const Physical& physical, std::span<const char* cons
   // A software device's timestamps come from its rasterizer, which other work does not pass through. The host
   // waits for such a device while it works, and can measure that time itself.
   if (physical.info.type != "cpu") {
-    Result<Clock> clock = Clock::create(physical, device.device_, *device.api_);
-    if (!clock) return tl::unexpected(std::move(clock).error());
-    device.clock_ = std::move(*clock);
+    VORPIPE_VAR(clock, Clock::create(physical, device.device_, *device.api_));
+    device.clock_ = std::move(clock);
   }
   return device;
 }
@@ -178,10 +177,9 @@ Result<void> Device::prepare(std::uint32_t queue_family) {
   api_->vkGetDeviceQueue(device_, queue_family, 0, &queue_);
   auto pool_info = structure<VkCommandPoolCreateInfo>(VK_STRUCTURE_TYPE_COMMAND_POOL_CREATE_INFO);
   pool_info.queueFamilyIndex = queue_family;
-  Result<Handle<VkCommandPool>> pool = create(device_, api_->vkCreateCommandPool, api_->vkDestroyCommandPool,
-                                              pool_info, "vkCreateCommandPool");
-  if (!pool) return tl::unexpected(std::move(pool).error());
-  pool_ = std::move(*pool);
+  VORPIPE_VAR(pool, create(device_, api_->vkCreateCommandPool, api_->vkDestroyCommandPool, pool_info,
+                           "vkCreateCommandPool"));
+  pool_ = std::move(pool);
   auto commands_info = structure<VkCommandBufferAllocateInfo>(VK_STRUCTURE_TYPE_COMMAND_BUFFER_ALLOCATE_INFO);
   commands_info.commandPool = pool_.get();
   commands_info.level = VK_COMMAND_BUFFER_LEVEL_PRIMARY;
@@ -189,10 +187,8 @@ Result<void> Device::prepare(std::uint32_t queue_family) {
   VORPIPE_TRY(
       check(api_->vkAllocateCommandBuffers(device_, &commands_info, &commands_), "vkAllocateCommandBuffers"));
   const auto fence_info = structure<VkFenceCreateInfo>(VK_STRUCTURE_TYPE_FENCE_CREATE_INFO);
-  Result<Handle<VkFence>> fence =
-      create(device_, api_->vkCreateFence, api_->vkDestroyFence, fence_info, "vkCreateFence");
-  if (!fence) return tl::unexpected(std::move(fence).error());
-  done_ = std::move(*fence);
+  VORPIPE_VAR(fence, create(device_, api_->vkCreateFence, api_->vkDestroyFence, fence_info, "vkCreateFence"));
+  done_ = std::move(fence);
   return {};
 }
 

@@ -9,6 +9,7 @@
 #include "backend/cell_answers.h"
 #include "backend/vulkan/error.h"
 #include "base/parallel.h"
+#include "base/try.h"
 
 namespace vorpipe::vulkan {
 namespace {
@@ -232,10 +233,9 @@ class DevicePool final : public Backend {
 
   Result<void> openDevices(std::size_t count) {
     while (devices_.size() < count) {
-      auto device = open_();
-      if (!device) return tl::unexpected(device.error());
-      if (view_) VORPIPE_TRY((*device)->begin(*view_));
-      devices_.push_back(std::move(*device));
+      VORPIPE_VAR(device, open_());
+      if (view_) VORPIPE_TRY(device->begin(*view_));
+      devices_.push_back(std::move(device));
     }
     return {};
   }

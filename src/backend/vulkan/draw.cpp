@@ -8,6 +8,7 @@
 #include "backend/cell_answers.h"
 #include "backend/vulkan/error.h"
 #include "backend/vulkan/geometry.h"
+#include "base/try.h"
 
 namespace vorpipe::vulkan {
 namespace {
@@ -58,9 +59,8 @@ Result<void> GeometryBackend::draw(std::span<const std::uint32_t> which, Effort 
 Result<void> GeometryBackend::drawTriangles(std::span<const DrawMark> corners,
                                             std::span<const std::uint32_t> corner_of) {
   if (!painter_) {
-    Result<Painter> painter = Painter::create(device_);
-    if (!painter) return tl::unexpected(std::move(painter).error());
-    painter_.emplace(std::move(*painter));
+    VORPIPE_VAR(painter, Painter::create(device_));
+    painter_.emplace(std::move(painter));
   }
   VORPIPE_TRY(painter_->setPalette(device_, shown_.palette));
   return painter_->draw(device_, target_, corners, corner_of, info_.max_lines);
@@ -70,9 +70,8 @@ Result<void> GeometryBackend::drawEntries(Entries entries, Effort effort, std::a
                                           std::span<CellStatus> status) {
   assert(target_.framebuffer() != VK_NULL_HANDLE);
   VORPIPE_TRY(reserveStatus(status.size()));
-  const Result<VkPipeline> pipeline = pipelines_.draw(device_, bindings_.layout(), entries, effort);
-  if (!pipeline) return tl::unexpected(pipeline.error());
-  VORPIPE_TRY(run({*pipeline, pipelines_.targetPass(), target_.framebuffer(), target_.extent(), vertices, 0},
+  VORPIPE_LET(pipeline, pipelines_.draw(device_, bindings_.layout(), entries, effort));
+  VORPIPE_TRY(run({pipeline, pipelines_.targetPass(), target_.framebuffer(), target_.extent(), vertices, 0},
                   0, status.size()));
   for (std::size_t entry = 0; entry < status.size(); entry++) {
     std::uint32_t word = 0;

@@ -10,6 +10,7 @@
 #include "backend/vulkan/arithmetic.h"
 #include "backend/vulkan/error.h"
 #include "backend/vulkan/handle.h"
+#include "base/try.h"
 
 namespace vorpipe::vulkan {
 namespace {
@@ -45,15 +46,11 @@ BackendInfo describe(const Physical& physical) {
 }  // namespace
 
 Result<std::unique_ptr<Backend>> GeometryBackend::open(Instance instance, const Physical& physical) {
-  Result<Device> device = Device::open(physical);
-  if (!device) return tl::unexpected(std::move(device).error());
-  Result<Bindings> bindings = Bindings::create(*device);
-  if (!bindings) return tl::unexpected(std::move(bindings).error());
-  Result<Pipelines> pipelines = Pipelines::create(*device);
-  if (!pipelines) return tl::unexpected(std::move(pipelines).error());
-  std::unique_ptr<GeometryBackend> backend(new GeometryBackend(std::move(instance), std::move(*device),
-                                                               std::move(*bindings), std::move(*pipelines),
-                                                               describe(physical)));
+  VORPIPE_VAR(device, Device::open(physical));
+  VORPIPE_VAR(bindings, Bindings::create(device));
+  VORPIPE_VAR(pipelines, Pipelines::create(device));
+  std::unique_ptr<GeometryBackend> backend(new GeometryBackend(
+      std::move(instance), std::move(device), std::move(bindings), std::move(pipelines), describe(physical)));
   // cells() needs no view from the caller, but the shaders read the block.
   VORPIPE_TRY(backend->setView(backend->shown_));
   return backend;

@@ -7,6 +7,7 @@
 
 #include "backend/vulkan/error.h"
 #include "backend/vulkan/handle.h"
+#include "base/try.h"
 
 namespace vorpipe::vulkan {
 namespace {
@@ -142,9 +143,8 @@ Result<Instance> Instance::open(bool validation, std::span<const char* const> ex
   VORPIPE_TRY(loadVulkan());
   if (validation) VORPIPE_TRY(findValidationLayer());
   Instance opened;
-  Result<VkInstance> instance = createInstance(validation, extensions, *opened.log_);
-  if (!instance) return tl::unexpected(std::move(instance).error());
-  opened.instance_ = *instance;
+  VORPIPE_VAR(instance, createInstance(validation, extensions, *opened.log_));
+  opened.instance_ = instance;
   if (validation) {
     // An extension's entry point belongs to the instance that enabled it, unlike volk's globals.
     const auto create_messenger = reinterpret_cast<PFN_vkCreateDebugUtilsMessengerEXT>(

@@ -8,6 +8,7 @@
 #include "backend/vulkan/error.h"
 #include "backend/vulkan/handle.h"
 #include "backend/vulkan/triangle_pipeline.h"
+#include "base/try.h"
 #include "shaders.h"
 
 namespace vorpipe::vulkan {
@@ -40,16 +41,14 @@ constexpr VkPipelineColorBlendAttachmentState write_all{VK_FALSE,
 }  // namespace
 
 Result<Painter> Painter::create(const Device& device) {
-  Result<Bindings> bindings = Bindings::create(device, paint_bindings, 0);
-  if (!bindings) return tl::unexpected(std::move(bindings).error());
-  Result<Handle<VkRenderPass>> pass = createRenderPass(device, target_formats);
-  if (!pass) return tl::unexpected(std::move(pass).error());
+  VORPIPE_VAR(bindings, Bindings::create(device, paint_bindings, 0));
+  VORPIPE_VAR(pass, createRenderPass(device, target_formats));
   const std::array writes = {write_all, write_all};
   Result<Handle<VkPipeline>> pipeline =
-      createTrianglePipeline(device, bindings->layout(), pass->get(),
+      createTrianglePipeline(device, bindings.layout(), pass.get(),
                              {shaders::polygon_vert(), shaders::cell_frag(), vertices, attributes, writes});
   if (!pipeline) return tl::unexpected(std::move(pipeline).error());
-  return Painter(std::move(*bindings), std::move(*pass), std::move(*pipeline));
+  return Painter(std::move(bindings), std::move(pass), std::move(*pipeline));
 }
 
 Result<void> Painter::setPalette(const Device& device, const Palette& palette) {

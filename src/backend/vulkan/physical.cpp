@@ -13,6 +13,7 @@
 #include "backend/cell_answers.h"
 #include "backend/vulkan/error.h"
 #include "backend/vulkan/handle.h"
+#include "base/try.h"
 #include "layout.glsl"
 
 namespace vorpipe::vulkan {
@@ -202,22 +203,21 @@ std::string driverText(const Driver& driver, const VkPhysicalDeviceProperties& p
 Result<Physical> describe(VkPhysicalDevice handle, const Mask& mask, Pipeline pipeline) {
   VkPhysicalDeviceProperties properties{};
   vkGetPhysicalDeviceProperties(handle, &properties);
-  Result<std::vector<VkExtensionProperties>> extensions = extensionsOf(handle);
-  if (!extensions) return tl::unexpected(std::move(extensions).error());
+  VORPIPE_VAR(extensions, extensionsOf(handle));
   Physical device;
   device.handle = handle;
   device.capabilities = capabilitiesOf(handle, properties.limits);
   const bool current = properties.apiVersion >= VK_API_VERSION_1_1;
   const Driver driver =
-      driverOf(handle, current && contains(*extensions, VK_KHR_DRIVER_PROPERTIES_EXTENSION_NAME));
+      driverOf(handle, current && contains(extensions, VK_KHR_DRIVER_PROPERTIES_EXTENSION_NAME));
   // Other drivers may take extremely long for unrolled shaders: decision D121.
   device.capabilities.unrolled_shaders = driver.driverID == VK_DRIVER_ID_MESA_LLVMPIPE;
   if (current) {
-    askForMemory(handle, contains(*extensions, VK_EXT_MEMORY_BUDGET_EXTENSION_NAME), device.capabilities);
+    askForMemory(handle, contains(extensions, VK_EXT_MEMORY_BUDGET_EXTENSION_NAME), device.capabilities);
   }
   VORPIPE_TRY(applyMask(device.capabilities, mask));
-  device.portability_subset = contains(*extensions, "VK_KHR_portability_subset");
-  device.swapchain = contains(*extensions, VK_KHR_SWAPCHAIN_EXTENSION_NAME);
+  device.portability_subset = contains(extensions, "VK_KHR_portability_subset");
+  device.swapchain = contains(extensions, VK_KHR_SWAPCHAIN_EXTENSION_NAME);
   device.info.backend = nameOf(pipeline);
   device.info.name = properties.deviceName;
   device.info.driver = driverText(driver, properties);
@@ -300,9 +300,8 @@ Result<std::vector<Physical>> enumerate(const Instance& instance, const Mask& ma
   }
   std::vector<Physical> devices;
   for (const VkPhysicalDevice handle : handles) {
-    Result<Physical> device = describe(handle, mask, pipeline);
-    if (!device) return tl::unexpected(std::move(device).error());
-    devices.push_back(std::move(*device));
+    VORPIPE_VAR(device, describe(handle, mask, pipeline));
+    devices.push_back(std::move(device));
   }
   return devices;
 }

@@ -11,6 +11,7 @@
 #include "backend/vulkan/error.h"
 #include "backend/vulkan/handle.h"
 #include "backend/vulkan/target.h"
+#include "base/try.h"
 #include "shaders.h"
 
 namespace vorpipe::vulkan {
@@ -123,27 +124,22 @@ struct FixedState {
 
 Result<Pipelines> Pipelines::create(const Device& device) {
   Pipelines pipelines;
-  Result<Handle<VkRenderPass>> target_pass = createRenderPass(device, target_formats);
-  if (!target_pass) return tl::unexpected(std::move(target_pass).error());
-  pipelines.target_pass_ = std::move(*target_pass);
-  Result<Handle<VkRenderPass>> empty_pass = createEmptyPass(device);
-  if (!empty_pass) return tl::unexpected(std::move(empty_pass).error());
-  pipelines.empty_pass_ = std::move(*empty_pass);
+  VORPIPE_VAR(target_pass, createRenderPass(device, target_formats));
+  pipelines.target_pass_ = std::move(target_pass);
+  VORPIPE_VAR(empty_pass, createEmptyPass(device));
+  pipelines.empty_pass_ = std::move(empty_pass);
   const auto info = structure<VkPipelineCacheCreateInfo>(VK_STRUCTURE_TYPE_PIPELINE_CACHE_CREATE_INFO);
-  Result<Handle<VkPipelineCache>> cache =
-      vulkan::create(device.handle(), device.api().vkCreatePipelineCache, device.api().vkDestroyPipelineCache,
-                     info, "vkCreatePipelineCache");
-  if (!cache) return tl::unexpected(std::move(cache).error());
-  pipelines.cache_ = std::move(*cache);
+  VORPIPE_VAR(cache, vulkan::create(device.handle(), device.api().vkCreatePipelineCache,
+                                    device.api().vkDestroyPipelineCache, info, "vkCreatePipelineCache"));
+  pipelines.cache_ = std::move(cache);
   return pipelines;
 }
 
 Result<VkPipeline> Pipelines::made(const Device& device, VkPipelineLayout layout, const Stages& stages,
                                    Handle<VkPipeline>& pipeline) const {
   if (!pipeline) {
-    Result<Handle<VkPipeline>> built = build(device, layout, stages);
-    if (!built) return tl::unexpected(std::move(built).error());
-    pipeline = std::move(*built);
+    VORPIPE_VAR(built, build(device, layout, stages));
+    pipeline = std::move(built);
   }
   return pipeline.get();
 }
@@ -181,15 +177,14 @@ Result<Handle<VkPipeline>> Pipelines::build(const Device& device, VkPipelineLayo
                                     std::pair(std::optional(stages.geometry), VK_SHADER_STAGE_GEOMETRY_BIT),
                                     std::pair(stages.fragment, VK_SHADER_STAGE_FRAGMENT_BIT)}) {
     if (!code) continue;
-    Result<Handle<VkShaderModule>> module = shaderModule(device, *code);
-    if (!module) return tl::unexpected(std::move(module).error());
+    VORPIPE_VAR(module, shaderModule(device, *code));
     auto stage_info =
         structure<VkPipelineShaderStageCreateInfo>(VK_STRUCTURE_TYPE_PIPELINE_SHADER_STAGE_CREATE_INFO);
     stage_info.stage = stage;
-    stage_info.module = module->get();
+    stage_info.module = module.get();
     stage_info.pName = "main";
     stage_infos.push_back(stage_info);
-    modules.push_back(std::move(*module));
+    modules.push_back(std::move(module));
   }
   const FixedState fixed(stages.entries, stages.mark_stride, rasterized, stages.attachments);
   auto info = structure<VkGraphicsPipelineCreateInfo>(VK_STRUCTURE_TYPE_GRAPHICS_PIPELINE_CREATE_INFO);

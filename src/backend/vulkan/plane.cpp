@@ -6,6 +6,7 @@
 #include "backend/vulkan/buffer.h"
 #include "backend/vulkan/error.h"
 #include "backend/vulkan/handle.h"
+#include "base/try.h"
 
 namespace vorpipe::vulkan {
 
@@ -22,16 +23,13 @@ Result<Plane> createPlane(const Device& device, const PlaneKind& kind, VkExtent2
   info.usage = kind.usage;
   info.sharingMode = VK_SHARING_MODE_EXCLUSIVE;
   info.initialLayout = VK_IMAGE_LAYOUT_UNDEFINED;
-  Result<Handle<VkImage>> image =
-      create(device.handle(), api.vkCreateImage, api.vkDestroyImage, info, "vkCreateImage");
-  if (!image) return tl::unexpected(std::move(image).error());
+  VORPIPE_VAR(image, create(device.handle(), api.vkCreateImage, api.vkDestroyImage, info, "vkCreateImage"));
   VkMemoryRequirements needed{};
-  api.vkGetImageMemoryRequirements(device.handle(), image->get(), &needed);
-  Result<Handle<VkDeviceMemory>> memory = allocate(device, needed, Placement::device, "an image");
-  if (!memory) return tl::unexpected(std::move(memory).error());
+  api.vkGetImageMemoryRequirements(device.handle(), image.get(), &needed);
+  VORPIPE_VAR(memory, allocate(device, needed, Placement::device, "an image"));
   Plane plane;
-  plane.memory = std::move(*memory);
-  plane.image = std::move(*image);
+  plane.memory = std::move(memory);
+  plane.image = std::move(image);
   VORPIPE_TRY(check(api.vkBindImageMemory(device.handle(), plane.image.get(), plane.memory.get(), 0),
                     "vkBindImageMemory"));
   auto view_info = structure<VkImageViewCreateInfo>(VK_STRUCTURE_TYPE_IMAGE_VIEW_CREATE_INFO);
@@ -40,10 +38,9 @@ Result<Plane> createPlane(const Device& device, const PlaneKind& kind, VkExtent2
   view_info.format = kind.format;
   view_info.components = kind.components;
   view_info.subresourceRange = whole_plane;
-  Result<Handle<VkImageView>> view =
-      create(device.handle(), api.vkCreateImageView, api.vkDestroyImageView, view_info, "vkCreateImageView");
-  if (!view) return tl::unexpected(std::move(view).error());
-  plane.view = std::move(*view);
+  VORPIPE_VAR(view, create(device.handle(), api.vkCreateImageView, api.vkDestroyImageView, view_info,
+                           "vkCreateImageView"));
+  plane.view = std::move(view);
   return plane;
 }
 

@@ -10,6 +10,7 @@
 #include "backend/site_texels.h"
 #include "backend/vulkan/error.h"
 #include "backend/vulkan/handle.h"
+#include "base/try.h"
 #include "shaders.h"
 
 namespace vorpipe::vulkan {
@@ -86,19 +87,13 @@ void order(const Device& device, VkCommandBuffer commands, VkPipelineStageFlags 
 }  // namespace
 
 Result<SortedSites> SortedSites::create(const Device& device) {
-  Result<Bindings> counting = Bindings::create(device, counting_bindings, sizeof(Slice));
-  if (!counting) return tl::unexpected(std::move(counting).error());
-  Result<Bindings> scanning = Bindings::create(device, scanning_bindings, sizeof(Slice));
-  if (!scanning) return tl::unexpected(std::move(scanning).error());
-  Result<Bindings> ordering = Bindings::create(device, ordering_bindings, sizeof(Slice));
-  if (!ordering) return tl::unexpected(std::move(ordering).error());
-  Result<Bindings> reordering = Bindings::create(device, ordering_bindings, sizeof(Slice));
-  if (!reordering) return tl::unexpected(std::move(reordering).error());
-  Result<ComputeKernels> kernels = ComputeKernels::create(device);
-  if (!kernels) return tl::unexpected(std::move(kernels).error());
-  return SortedSites(
-      {std::move(*counting), std::move(*scanning), std::move(*ordering), std::move(*reordering)},
-      std::move(*kernels));
+  VORPIPE_VAR(counting, Bindings::create(device, counting_bindings, sizeof(Slice)));
+  VORPIPE_VAR(scanning, Bindings::create(device, scanning_bindings, sizeof(Slice)));
+  VORPIPE_VAR(ordering, Bindings::create(device, ordering_bindings, sizeof(Slice)));
+  VORPIPE_VAR(reordering, Bindings::create(device, ordering_bindings, sizeof(Slice)));
+  VORPIPE_VAR(kernels, ComputeKernels::create(device));
+  return SortedSites({std::move(counting), std::move(scanning), std::move(ordering), std::move(reordering)},
+                     std::move(kernels));
 }
 
 SortedSites::SortedSites(Sets sets, ComputeKernels kernels)
@@ -118,9 +113,8 @@ Result<void> SortedSites::upload(Device& device, Bindings& search, const SiteSet
   VORPIPE_TRY(reserve(device, sizes, limits));
   send(sites);
   bind(device, sizes);
-  const Result<Steps> made = steps(device);
-  if (!made) return tl::unexpected(made.error());
-  VORPIPE_TRY(device.run([&](VkCommandBuffer commands) { record(device, commands, *made, sizes); }));
+  VORPIPE_LET(made, steps(device));
+  VORPIPE_TRY(device.run([&](VkCommandBuffer commands) { record(device, commands, made, sizes); }));
   search.setUniform(device, BINDING_GRID, grid_.get());
   search.setTexels(device, BINDING_SITES, sorted_.texels());
   search.setTexels(device, BINDING_BINS, starts_.texels());
@@ -201,9 +195,8 @@ Result<SortedSites::Steps> SortedSites::steps(const Device& device) {
                 {made.merge, sets_.ordering, shaders::merge_runs()},
                 {made.gather, sets_.reordering, shaders::gather_sites()}};
   for (const auto& step : wanted) {
-    const Result<VkPipeline> kernel = kernels_.kernel(device, step.bindings.layout(), step.code);
-    if (!kernel) return tl::unexpected(kernel.error());
-    step.pipeline = *kernel;
+    VORPIPE_LET(kernel, kernels_.kernel(device, step.bindings.layout(), step.code));
+    step.pipeline = kernel;
   }
   return made;
 }

@@ -9,6 +9,7 @@
 
 #include "backend/vulkan/error.h"
 #include "backend/vulkan/handle.h"
+#include "base/try.h"
 #include "vorpipe.h"
 
 namespace vorpipe::vulkan {
@@ -78,9 +79,8 @@ Result<void> Target::resize(const Device& device, VkRenderPass pass, std::uint32
   color_ = {};
   id_ = {};
   for (const auto& [plane, format] : {std::pair(&color_, color_format), std::pair(&id_, id_format)}) {
-    Result<Plane> created = createPlane(device, {format, plane_usage}, extent_);
-    if (!created) return tl::unexpected(std::move(created).error());
-    *plane = std::move(*created);
+    VORPIPE_VAR(created, createPlane(device, {format, plane_usage}, extent_));
+    *plane = std::move(created);
   }
   VORPIPE_TRY(host_.reserve(device, planeBytes(), planeBytes()));
   const std::array views = {color_.view.get(), id_.view.get()};
@@ -91,11 +91,9 @@ Result<void> Target::resize(const Device& device, VkRenderPass pass, std::uint32
   info.width = width;
   info.height = height;
   info.layers = 1;
-  Result<Handle<VkFramebuffer>> framebuffer =
-      create(device.handle(), device.api().vkCreateFramebuffer, device.api().vkDestroyFramebuffer, info,
-             "vkCreateFramebuffer");
-  if (!framebuffer) return tl::unexpected(std::move(framebuffer).error());
-  framebuffer_ = std::move(*framebuffer);
+  VORPIPE_VAR(framebuffer, create(device.handle(), device.api().vkCreateFramebuffer,
+                                  device.api().vkDestroyFramebuffer, info, "vkCreateFramebuffer"));
+  framebuffer_ = std::move(framebuffer);
   return {};
 }
 

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "backend/vulkan/error.h"
+#include "base/try.h"
 #include "shaders.h"
 
 namespace vorpipe::vulkan {
@@ -24,9 +25,8 @@ std::size_t blocksOf(std::size_t counts) { return (counts + COUNTS_AT_ONCE - 1) 
 }  // namespace
 
 Result<TriangleList> TriangleList::create(const Device& device) {
-  Result<Bindings> bindings = Bindings::create(device, list_bindings, sizeof(Slice));
-  if (!bindings) return tl::unexpected(std::move(bindings).error());
-  return TriangleList(std::move(*bindings));
+  VORPIPE_VAR(bindings, Bindings::create(device, list_bindings, sizeof(Slice)));
+  return TriangleList(std::move(bindings));
 }
 
 Result<void> TriangleList::reserve(const Device& device, std::size_t polygons, std::size_t room) {
@@ -48,9 +48,8 @@ Result<void> TriangleList::prepare(const Device& device, ComputeKernels& kernels
       room_ == EDGES_FAST ? shaders::list_triangles_fast() : shaders::list_triangles_roomy();
   for (const auto& [pipeline, code] : {std::pair(&sum_, shaders::sum_counts()),
                                        std::pair(&scan_, shaders::scan_sums()), std::pair(&list_, list)}) {
-    const Result<VkPipeline> kernel = kernels.kernel(device, bindings_.layout(), code);
-    if (!kernel) return tl::unexpected(kernel.error());
-    *pipeline = *kernel;
+    VORPIPE_LET(kernel, kernels.kernel(device, bindings_.layout(), code));
+    *pipeline = kernel;
   }
   return {};
 }

@@ -6,6 +6,7 @@
 #include "backend/vulkan/device.h"
 #include "backend/vulkan/error.h"
 #include "backend/vulkan/handle.h"
+#include "base/try.h"
 
 namespace vorpipe::vulkan {
 namespace {
@@ -25,12 +26,10 @@ VkPipelineShaderStageCreateInfo stageOf(VkShaderStageFlagBits stage, VkShaderMod
 
 Result<Handle<VkPipeline>> createTrianglePipeline(const Device& device, VkPipelineLayout layout,
                                                   VkRenderPass pass, const TriangleParts& parts) {
-  const Result<Handle<VkShaderModule>> vertex = shaderModule(device, parts.vertex);
-  if (!vertex) return tl::unexpected(vertex.error());
-  const Result<Handle<VkShaderModule>> fragment = shaderModule(device, parts.fragment);
-  if (!fragment) return tl::unexpected(fragment.error());
-  const std::array stages = {stageOf(VK_SHADER_STAGE_VERTEX_BIT, vertex->get()),
-                             stageOf(VK_SHADER_STAGE_FRAGMENT_BIT, fragment->get())};
+  VORPIPE_LET(vertex, shaderModule(device, parts.vertex));
+  VORPIPE_LET(fragment, shaderModule(device, parts.fragment));
+  const std::array stages = {stageOf(VK_SHADER_STAGE_VERTEX_BIT, vertex.get()),
+                             stageOf(VK_SHADER_STAGE_FRAGMENT_BIT, fragment.get())};
   auto input = structure<VkPipelineVertexInputStateCreateInfo>(
       VK_STRUCTURE_TYPE_PIPELINE_VERTEX_INPUT_STATE_CREATE_INFO);
   input.vertexBindingDescriptionCount = 1;

@@ -11,6 +11,7 @@
 #include "backend/vulkan/instance.h"
 #include "backend/vulkan/physical.h"
 #include "base/parallel.h"
+#include "base/try.h"
 
 namespace vorpipe {
 namespace {
@@ -21,9 +22,8 @@ constexpr int most_devices = 8;
 
 Result<vulkan::Physical> chooseDevice(const vulkan::Instance& instance, const BackendOptions& options,
                                       Pipeline pipeline, Drivers drivers) {
-  const Result<std::vector<vulkan::Physical>> devices = vulkan::enumerate(instance, options.mask, pipeline);
-  if (!devices) return tl::unexpected(devices.error());
-  Result<vulkan::Physical> device = vulkan::choose(*devices, options.device);
+  VORPIPE_LET(devices, vulkan::enumerate(instance, options.mask, pipeline));
+  Result<vulkan::Physical> device = vulkan::choose(devices, options.device);
   if (device && drivers == Drivers::hardware && device->info.type == "cpu") {
     return vulkan::deviceError(device->info.name + " is a software driver");
   }
@@ -42,11 +42,9 @@ Result<std::unique_ptr<Backend>> openDevice(vulkan::Instance instance, const vul
 
 Result<std::unique_ptr<Backend>> openPipeline(const BackendOptions& options, Pipeline pipeline,
                                               Drivers drivers = Drivers::any) {
-  Result<vulkan::Instance> instance = vulkan::Instance::open(options.validation);
-  if (!instance) return tl::unexpected(std::move(instance).error());
-  const Result<vulkan::Physical> device = chooseDevice(*instance, options, pipeline, drivers);
-  if (!device) return tl::unexpected(device.error());
-  return openDevice(std::move(*instance), *device, pipeline);
+  VORPIPE_VAR(instance, vulkan::Instance::open(options.validation));
+  VORPIPE_LET(device, chooseDevice(instance, options, pipeline, drivers));
+  return openDevice(std::move(instance), device, pipeline);
 }
 
 /// A software driver runs geometry shaders on one thread: several devices then share the cells.
@@ -84,21 +82,20 @@ Result<std::unique_ptr<Backend>> makeVulkanComputeBackend(const BackendOptions& 
 }
 
 Result<OpenedPipeline> makeVulkanBackend(const BackendOptions& options, Drivers drivers) {
-  Result<vulkan::Instance> instance = vulkan::Instance::open(options.validation);
-  if (!instance) return tl::unexpected(std::move(instance).error());
+  VORPIPE_VAR(instance, vulkan::Instance::open(options.validation));
   std::optional<Error> without_compute;
   Result<std::unique_ptr<Backend>> geometry = nullptr;
-  if (const auto device = chooseDevice(*instance, options, Pipeline::compute, drivers)) {
-    auto compute = openDevice(std::move(*instance), *device, Pipeline::compute);
+  if (const auto device = chooseDevice(instance, options, Pipeline::compute, drivers)) {
+    auto compute = openDevice(std::move(instance), *device, Pipeline::compute);
     if (compute) return OpenedPipeline{std::move(*compute), {}};
     without_compute = compute.error();
     geometry = openPipeline(options, Pipeline::geometry, drivers);
   } else {
     without_compute = device.error();
     // The same instance: a new one would have the loader look through all drivers again.
-    const auto other = chooseDevice(*instance, options, Pipeline::geometry, drivers);
+    const auto other = chooseDevice(instance, options, Pipeline::geometry, drivers);
     if (!other) return tl::unexpected(*without_compute);
-    geometry = openDevice(std::move(*instance), *other, Pipeline::geometry);
+    geometry = openDevice(std::move(instance), *other, Pipeline::geometry);
   }
   if (!geometry) return tl::unexpected(*without_compute);
   return OpenedPipeline{onAllThreads(std::move(*geometry), options), without_compute};

@@ -112,10 +112,9 @@ Result<std::vector<bench::DataSet>> loadFiles(const std::vector<std::string>& pa
   for (const std::string& path : paths) {
     InputOptions options;
     options.sites = path;
-    auto input = loadInput(options);
-    if (!input) return tl::unexpected(std::move(input.error()));
-    const std::string name = input->seed ? path : std::filesystem::path(path).filename().string();
-    sets.push_back({name, std::move(input->sites), input->domain});
+    VORPIPE_VAR(input, loadInput(options));
+    const std::string name = input.seed ? path : std::filesystem::path(path).filename().string();
+    sets.push_back({name, std::move(input.sites), input.domain});
   }
   return sets;
 }
@@ -123,9 +122,8 @@ Result<std::vector<bench::DataSet>> loadFiles(const std::vector<std::string>& pa
 Result<bench::Settings> settingsOf(const BenchCommand& command,
                                    const std::vector<bench::OpenedDevice>& opened) {
   bench::Settings settings;
-  auto files = loadFiles(command.sites);
-  if (!files) return tl::unexpected(std::move(files.error()));
-  settings.files = std::move(*files);
+  VORPIPE_VAR(files, loadFiles(command.sites));
+  settings.files = std::move(files);
   for (const bench::OpenedDevice& backend : opened) settings.backends.push_back(backend.name);
   settings.options = command.backend;
   settings.repetitions = static_cast<int>(command.repetitions);
@@ -175,16 +173,13 @@ Result<ExitCode> bench(const BenchCommand& command) {
   add(command.json, [&] { return report; });
   add(command.markdown, [&] { return text; });
   add(command.plot, [&] { return svg(findings.plots, caption); });
-  auto files = createFiles(paths);
-  if (!files) return tl::unexpected(std::move(files.error()));
+  VORPIPE_VAR(files, createFiles(paths));
 
   std::vector<std::string> unusable;
-  const auto opened = openBackends(command, unusable);
-  if (!opened) return tl::unexpected(opened.error());
-  auto settings = settingsOf(command, *opened);
-  if (!settings) return tl::unexpected(std::move(settings.error()));
+  VORPIPE_LET(opened, openBackends(command, unusable));
+  VORPIPE_VAR(settings, settingsOf(command, opened));
   ProgressBar bar(command.talk.quiet);
-  settings->progress = bar.callback();
+  settings.progress = bar.callback();
   const auto say = [&](const std::string& more) {
     bar.clear();
     text += more;
@@ -192,8 +187,8 @@ Result<ExitCode> bench(const BenchCommand& command) {
     std::fflush(stdout);
   };
   const bench::Machine machine = bench::thisMachine();
-  bench::Lab lab(std::move(*settings));
-  const bench::Conditions conditions{machine, *opened, unusable, lab.settings()};
+  bench::Lab lab(std::move(settings));
+  const bench::Conditions conditions{machine, opened, unusable, lab.settings()};
   say(bench::markdown(conditions));
   caption = fmt::format("vorpipe {}, revision {}; {}, {} threads; {}", machine.version, machine.revision,
                         machine.cpu, machine.hardware_threads, machine.time);
@@ -202,7 +197,7 @@ Result<ExitCode> bench(const BenchCommand& command) {
   if (!measured) return tl::unexpected(std::move(measured.error()));
   findings = std::move(*measured);
   report = bench::reportJson(conditions, findings.tables);
-  VORPIPE_TRY(writeOutputs(*files, writers));
+  VORPIPE_TRY(writeOutputs(files, writers));
   if (lab.failures().empty()) return exit_done;
   return deviceError(
       fmt::format("{} measurements failed, as {}", lab.failures().size(), lab.failures().front()));

@@ -90,11 +90,10 @@ void planDiagram(const CellsCommand& command, std::uint64_t density_pixels, std:
 
 /// Returns the options of the cells, except the progress; adds notes on the density to the input.
 Result<CellsOptions> cellsOptions(const CellsCommand& command, Input& input) {
-  auto density = densityOf(command.density);
-  if (!density) return tl::unexpected(std::move(density.error()));
-  VORPIPE_TRY(placeUnder(*density, command.density, command.input, input));
+  VORPIPE_VAR(density, densityOf(command.density));
+  VORPIPE_TRY(placeUnder(density, command.density, command.input, input));
   CellsOptions options = cellsOptionsOf(input, command.search);
-  options.density = std::move(density->density);
+  options.density = std::move(density.density);
   options.detail = neededDetail(command);
   return options;
 }
@@ -141,9 +140,8 @@ Result<void> writeFiles(const CellsCommand& command, CommandRun& run, Input& inp
   const int threads = command.backend.threads;
   Topology topology;
   if (!command.targets.edges.empty()) {
-    auto found = topologyOf(diagram, threads);
-    if (!found) return tl::unexpected(std::move(found.error()));
-    topology = std::move(*found);
+    VORPIPE_VAR(found, topologyOf(diagram, threads));
+    topology = std::move(found);
   }
   if (input.projection) toDegrees(*input.projection, topology, threads);
   backToDegrees(input, diagram, threads);
@@ -167,19 +165,18 @@ Result<void> writeFiles(const CellsCommand& command, CommandRun& run, Input& inp
 
 /// Computes the cells of an input, and writes them.
 Result<ExitCode> computeCells(const CellsCommand& command, CommandRun& run, Input& input) {
-  auto options = cellsOptions(command, input);
-  if (!options) return tl::unexpected(std::move(options.error()));
-  VORPIPE_TRY(checkInput(command.input, input, *options, command.backend.threads));
+  VORPIPE_VAR(options, cellsOptions(command, input));
+  VORPIPE_TRY(checkInput(command.input, input, options, command.backend.threads));
   if (command.surface == Surface::free) {
     VORPIPE_TRY(checkDiscs(input.sites));
   }
-  const PlanRun plan = std::bind_front(planDiagram, std::cref(command), options->density.values.size(),
+  const PlanRun plan = std::bind_front(planDiagram, std::cref(command), options.density.values.size(),
                                        bytesOf(input.attributes));
   VORPIPE_TRY(run.begin(command.input, input, ImagesFor::cells, plan,
                         input.sites.weight.empty() ? adviceOn(command) : ""));
   ProgressBar bar(command.talk.quiet);
-  options->progress = bar.callback();
-  auto diagram = cellsWith(command.surface, *run.session, input.sites, *options);
+  options.progress = bar.callback();
+  auto diagram = cellsWith(command.surface, *run.session, input.sites, options);
   bar.clear();
   if (!diagram) return asOption(diagram.error(), command.input);
   const Report& report = diagram->report;
@@ -187,9 +184,8 @@ Result<ExitCode> computeCells(const CellsCommand& command, CommandRun& run, Inpu
   if (command.surface == Surface::none) printMissingCells(command.talk, input, diagram->status, report);
   if (!validationIsSilent(report)) return exit_device;
   if (command.check) {
-    const auto passed = passesCheck(check(input.sites, *options, *diagram, command.backend.threads));
-    if (!passed) return tl::unexpected(passed.error());
-    if (!*passed) return exit_different;
+    VORPIPE_LET(passed, passesCheck(check(input.sites, options, *diagram, command.backend.threads)));
+    if (!passed) return exit_different;
   }
   VORPIPE_TRY(writeFiles(command, run, input, *diagram));
   run.printSummary(run.outcome(input.sites, report), report);
@@ -204,15 +200,13 @@ Result<ExitCode> cells(CellsCommand& command, const Invocation& how) {
   if (!command.targets.only_measures || !mayBeTiled(command)) {
     const std::uint64_t pixels = command.density.empty() ? 0 : 1;
     const PlanRun plan = std::bind_front(planDiagram, std::cref(command), pixels, std::uint64_t{0});
-    auto input = run.load(from, plan, adviceOn(command));
-    if (!input) return tl::unexpected(std::move(input.error()));
-    return computeCells(command, run, *input);
+    VORPIPE_VAR(input, run.load(from, plan, adviceOn(command)));
+    return computeCells(command, run, input);
   }
-  auto tiled = loadTiled(run, from);
-  if (!tiled) return tl::unexpected(std::move(tiled.error()));
+  VORPIPE_VAR(tiled, loadTiled(run, from));
   // A file may have weights of its own.
-  if (!tiled->input.sites.weight.empty()) return computeCells(command, run, tiled->input);
-  return measureInTiles(run, command.input, *tiled, command.targets.cells.size());
+  if (!tiled.input.sites.weight.empty()) return computeCells(command, run, tiled.input);
+  return measureInTiles(run, command.input, tiled, command.targets.cells.size());
 }
 
 }  // namespace

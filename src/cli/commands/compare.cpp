@@ -52,22 +52,21 @@ Result<BackendRun> runBackend(const CompareCommand& command, const std::string& 
   backend.name = name;
   // A device name applies only to backends with devices to choose from.
   if (name == "cpu") backend.device.clear();
-  auto session = Session::open(backend);
-  if (!session) return tl::unexpected(std::move(session.error()));
+  VORPIPE_VAR(session, Session::open(backend));
   ProgressBar bar(command.talk.quiet);
   picture.progress = bar.callback();
   const Stopwatch render_watch;
-  auto rendering = session->render(input.sites, picture);
+  auto rendering = session.render(input.sites, picture);
   if (!rendering) return asOption(std::move(rendering.error()), command.input);
   const double render_ms = render_watch.milliseconds();
   const Stopwatch cells_watch;
-  auto cells = session->cells(input.sites, cellsOptions(picture));
+  auto cells = session.cells(input.sites, cellsOptions(picture));
   if (!cells) return asOption(std::move(cells.error()), command.input);
   bar.clear();
   printNotes(command.talk, rendering->report, name);
   printNotes(command.talk, cells->report, name);
   BackendRun run{name, std::move(*rendering), std::move(*cells), render_ms, cells_watch.milliseconds()};
-  run.choice = session->choice();
+  run.choice = session.choice();
   if (command.talk.verbose && !run.choice.empty()) printNote(run.choice);
   VORPIPE_TRY(checkRun(command, input, picture, run));
   return run;
@@ -79,12 +78,11 @@ Result<std::vector<BackendRun>> runBackends(const CompareCommand& command, const
                                             const RenderOptions& options) {
   std::vector<BackendRun> runs;
   for (const std::string& name : command.backends) {
-    auto run = runBackend(command, name, input, options);
-    if (!run) return tl::unexpected(std::move(run.error()));
+    VORPIPE_VAR(run, runBackend(command, name, input, options));
     const bool silent =
-        validationIsSilent(run->rendering.report, name) && validationIsSilent(run->cells.report, name);
+        validationIsSilent(run.rendering.report, name) && validationIsSilent(run.cells.report, name);
     if (!silent) return std::vector<BackendRun>{};
-    runs.push_back(std::move(*run));
+    runs.push_back(std::move(run));
   }
   return runs;
 }
@@ -147,31 +145,26 @@ Result<ExitCode> compare(const CompareCommand& command, const Invocation& how) {
   std::vector<std::string> paths{command.report, command.png};
   std::erase(paths, "");
   CommandRun run("compare", command, how, std::move(paths));
-  const auto input = run.load(
-      command.input, std::bind_front(planCompare, std::cref(command), sizeBefore(command.picture.size)));
-  if (!input) return tl::unexpected(input.error());
-  auto options = pictureOf(command.picture, command.input, *input);
-  if (!options) return tl::unexpected(std::move(options.error()));
-  options->search = command.search;
-  VORPIPE_TRY(checkInput(command.input, *input, cellsOptions(*options), command.backend.threads));
-  printNotes(command.talk, *input);
-  const auto forecast = forecastAll(command, *input, *options);
-  if (!forecast) return tl::unexpected(forecast.error());
-  run.forecast = *forecast;
+  VORPIPE_LET(input, run.load(command.input, std::bind_front(planCompare, std::cref(command),
+                                                             sizeBefore(command.picture.size))));
+  VORPIPE_VAR(options, pictureOf(command.picture, command.input, input));
+  options.search = command.search;
+  VORPIPE_TRY(checkInput(command.input, input, cellsOptions(options), command.backend.threads));
+  printNotes(command.talk, input);
+  VORPIPE_LET(forecast, forecastAll(command, input, options));
+  run.forecast = forecast;
   VORPIPE_TRY(run.createFiles());
-  auto runs = runBackends(command, *input, *options);
-  if (!runs) return tl::unexpected(std::move(runs.error()));
-  if (runs->empty()) return exit_device;
+  VORPIPE_VAR(runs, runBackends(command, input, options));
+  if (runs.empty()) return exit_device;
   std::vector<std::string> broken;
-  for (const BackendRun& each : *runs) broken.insert(broken.end(), each.broken.begin(), each.broken.end());
+  for (const BackendRun& each : runs) broken.insert(broken.end(), each.broken.begin(), each.broken.end());
   if (!*passesCheck(broken)) return exit_different;
-  const BackendRun& first = runs->front();
-  printMissingCells(command.talk, *input, first.cells.status, first.cells.report);
-  run.log.choice = choiceOf(*runs);
-  auto pairs = comparePairs(*runs, *input, *options);
-  if (!pairs) return tl::unexpected(std::move(pairs.error()));
-  const Comparison comparison{std::move(*runs), std::move(*pairs)};
-  VORPIPE_TRY(writeFiles(command, run, comparison, *input));
+  const BackendRun& first = runs.front();
+  printMissingCells(command.talk, input, first.cells.status, first.cells.report);
+  run.log.choice = choiceOf(runs);
+  VORPIPE_VAR(pairs, comparePairs(runs, input, options));
+  const Comparison comparison{std::move(runs), std::move(pairs)};
+  VORPIPE_TRY(writeFiles(command, run, comparison, input));
   printSummary(command.talk, run.paths, comparisonTable(comparison));
   const std::string differences = disagreementText(comparison);
   if (differences.empty()) return exit_done;

@@ -55,36 +55,34 @@ Result<IdDiff> idDiff(const DiffCommand& command, const Image& a, const Image& b
     plan.take("the comparison", work.sites * sizeof(double[3]));
   };
   VORPIPE_TRY(forecastGenerated(command.input, planDiff, {}));
-  const auto input = loadInput(command.input);
-  if (!input) return tl::unexpected(input.error());
-  printNotes(command.talk, *input);
-  VORPIPE_TRY(checkIds(command.a, a, input->sites));
-  VORPIPE_TRY(checkIds(command.b, b, input->sites));
+  VORPIPE_LET(input, loadInput(command.input));
+  printNotes(command.talk, input);
+  VORPIPE_TRY(checkIds(command.a, a, input.sites));
+  VORPIPE_TRY(checkIds(command.b, b, input.sites));
   RenderOptions options{};
-  options.domain = input->domain;
-  options.periodic = input->periodic;
+  options.domain = input.domain;
+  options.periodic = input.periodic;
   options.width = a.width;
   options.height = a.height;
   options.view = command.view;
-  options.fit = command.fit.value_or(usualFit(*input));
+  options.fit = command.fit.value_or(usualFit(input));
   if (auto checked = checkView(options); !checked) return inputError("--view: " + checked.error().message);
-  auto diff = diffIds(a.ids, b.ids, input->sites, options);
+  auto diff = diffIds(a.ids, b.ids, input.sites, options);
   return diff ? diff : asOption(std::move(diff.error()), command.input);
 }
 
 Result<DiffOutcome> compareIds(const DiffCommand& command, const Image& a, const Image& b) {
-  const auto diff = idDiff(command, a, b);
-  if (!diff) return tl::unexpected(diff.error());
+  VORPIPE_LET(diff, idDiff(command, a, b));
   DiffOutcome outcome;
-  outcome.agreement = fmt::format("{} pixels equal, {} ties, {} wrong", diff->equal, diff->ties, diff->wrong);
-  if (!diff->agree()) outcome.difference = disagreementText(*diff);
+  outcome.agreement = fmt::format("{} pixels equal, {} ties, {} wrong", diff.equal, diff.ties, diff.wrong);
+  if (!diff.agree()) outcome.difference = disagreementText(diff);
   if (!command.png.empty()) {
     outcome.picture = grayOfIds(a.ids, a.width, a.height);
-    markDifferences(outcome.picture, diff->pixels);
+    markDifferences(outcome.picture, diff.pixels);
   }
   if (command.talk.verbose) {
-    for (const IdDifference& place : diff->first) printNote(placeText(place));
-    if (diff->wrong > 0) printNote("worst: " + placeText(diff->worst));
+    for (const IdDifference& place : diff.first) printNote(placeText(place));
+    if (diff.wrong > 0) printNote("worst: " + placeText(diff.worst));
   }
   return outcome;
 }
@@ -109,12 +107,11 @@ DiffOutcome compareColors(const DiffCommand& command, const Image& a, const Imag
 }
 
 Result<void> writePicture(const std::string& path, const Picture& picture) {
-  auto files = createFiles(std::array{path});
-  if (!files) return tl::unexpected(std::move(files.error()));
+  VORPIPE_VAR(files, createFiles(std::array{path}));
   const Writer writer = [&](ByteSink& to) {
     return writePng(to, picture.width, picture.height, picture.rgba);
   };
-  return writeOutputs(*files, std::array{writer});
+  return writeOutputs(files, std::array{writer});
 }
 
 Result<ExitCode> diff(const DiffCommand& command) {
@@ -127,26 +124,23 @@ Result<ExitCode> diff(const DiffCommand& command) {
   if (!ids && !command.input.sites.empty()) {
     return inputError("--sites: tells ties only in .npy id arrays, not in pictures");
   }
-  const auto a = ids ? readNpyIds(command.a) : readPng(command.a);
-  if (!a) return tl::unexpected(a.error());
-  const auto b = ids ? readNpyIds(command.b) : readPng(command.b);
-  if (!b) return tl::unexpected(b.error());
-  if (a->width != b->width || a->height != b->height) {
-    printError(fmt::format("{} is {}x{}, {} is {}x{}: the sizes differ", command.a, a->width, a->height,
-                           command.b, b->width, b->height));
+  VORPIPE_LET(a, ids ? readNpyIds(command.a) : readPng(command.a));
+  VORPIPE_LET(b, ids ? readNpyIds(command.b) : readPng(command.b));
+  if (a.width != b.width || a.height != b.height) {
+    printError(fmt::format("{} is {}x{}, {} is {}x{}: the sizes differ", command.a, a.width, a.height,
+                           command.b, b.width, b.height));
     return exit_different;
   }
-  const Result<DiffOutcome> outcome = ids ? compareIds(command, *a, *b) : compareColors(command, *a, *b);
-  if (!outcome) return tl::unexpected(outcome.error());
+  VORPIPE_LET(outcome, ids ? compareIds(command, a, b) : compareColors(command, a, b));
   if (!command.png.empty()) {
-    VORPIPE_TRY(writePicture(command.png, outcome->picture));
+    VORPIPE_TRY(writePicture(command.png, outcome.picture));
   }
-  if (!outcome->difference.empty()) {
-    printError(fmt::format("{} and {} differ: {}", command.a, command.b, outcome->difference));
+  if (!outcome.difference.empty()) {
+    printError(fmt::format("{} and {} differ: {}", command.a, command.b, outcome.difference));
     return exit_different;
   }
   printSummary(command.talk, std::array{command.png},
-               fmt::format("{} and {}: {}\n", command.a, command.b, outcome->agreement));
+               fmt::format("{} and {}: {}\n", command.a, command.b, outcome.agreement));
   return exit_done;
 }
 

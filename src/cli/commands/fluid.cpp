@@ -92,10 +92,9 @@ Result<void> forecastCase(const FluidCommand& command) {
 Result<std::uint64_t> forecastFluid(const FluidCommand& command, const FluidSetup& setup,
                                     const DeviceInfo& device) {
   const FluidOptions& options = setup.options;
-  const auto work = workloadOf(setup.state.sites, cellsOptionsOf(options), ImagesFor::cells, device,
-                               command.backend.threads);
-  if (!work) return tl::unexpected(work.error());
-  return allowed(command, peakOf(command, *work, bytesOf(options.scheme, options.surface, options.periodic),
+  VORPIPE_LET(work, workloadOf(setup.state.sites, cellsOptionsOf(options), ImagesFor::cells, device,
+                               command.backend.threads));
+  return allowed(command, peakOf(command, work, bytesOf(options.scheme, options.surface, options.periodic),
                                  options.domain));
 }
 
@@ -219,9 +218,8 @@ Result<void> writeFiles(const FluidCommand& command, CommandRun& run, const Flui
   RunOutput output{outcome.input, outcome.report};
   Diagram cells;
   if (!command.targets.cells.empty()) {
-    auto found = cellsWith(options.surface, *run.session, sites, cellsOptionsOf(options));
-    if (!found) return tl::unexpected(std::move(found.error()));
-    cells = std::move(*found);
+    VORPIPE_VAR(found, cellsWith(options.surface, *run.session, sites, cellsOptionsOf(options)));
+    cells = std::move(found);
   }
   for (const auto& target : command.targets.points) {
     output.writers.emplace_back(
@@ -285,12 +283,11 @@ ExitCode exitFor(const FluidOutcome& outcome) {
 Result<ExitCode> fluid(const FluidCommand& command, const Invocation& how) {
   CommandRun run("fluid", command, how, command.targets.paths());
   VORPIPE_TRY(forecastCase(command));
-  auto setup = setupOf(command.choices);
-  if (!setup) return tl::unexpected(std::move(setup.error()));
-  VORPIPE_TRY(checkCommand(command, *setup, run));
-  setup->options.search = command.search;
-  setup->options.progress = untilSignal();
-  const FluidOptions options = setup->options;
+  VORPIPE_VAR(setup, setupOf(command.choices));
+  VORPIPE_TRY(checkCommand(command, setup, run));
+  setup.options.search = command.search;
+  setup.options.progress = untilSignal();
+  const FluidOptions options = setup.options;
   VORPIPE_TRY(run.createFiles());
   VORPIPE_TRY(checkApart(command.targets, run.files));
   // A resumed run may write checkpoints to the file that it resumes from.
@@ -300,19 +297,18 @@ Result<ExitCode> fluid(const FluidCommand& command, const Invocation& how) {
   }
   awaitResultOnSignals();
   VORPIPE_TRY(run.openSession());
-  const auto forecast = forecastFluid(command, *setup, run.session->device());
+  const auto forecast = forecastFluid(command, setup, run.session->device());
   if (!forecast) return asFluidOption(forecast.error(), command.choices);
   run.forecast = *forecast;
-  auto record = FluidRecord::open(command.targets, command.picture, is_resumed ? &setup->state : nullptr);
-  if (!record) return tl::unexpected(std::move(record.error()));
-  const auto outcome = flow(command, run, std::move(*setup), *record);
-  if (!outcome) return tl::unexpected(std::move(outcome.error()));
+  VORPIPE_VAR(record,
+              FluidRecord::open(command.targets, command.picture, is_resumed ? &setup.state : nullptr));
+  VORPIPE_LET(outcome, flow(command, run, std::move(setup), record));
   takeSignal();
-  printNotes(command.talk, withNewNotes(outcome->report, outcome->told));
-  if (!validationIsSilent(outcome->report)) return exit_device;
-  VORPIPE_TRY(writeFiles(command, run, options, *outcome));
-  run.printSummary(fluidSummary(*outcome, options), outcome->report);
-  return exitFor(*outcome);
+  printNotes(command.talk, withNewNotes(outcome.report, outcome.told));
+  if (!validationIsSilent(outcome.report)) return exit_device;
+  VORPIPE_TRY(writeFiles(command, run, options, outcome));
+  run.printSummary(fluidSummary(outcome, options), outcome.report);
+  return exitFor(outcome);
 }
 
 }  // namespace

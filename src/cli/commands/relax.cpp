@@ -36,10 +36,9 @@ Parsed<RelaxMethod> parseMethod(std::string_view text) {
 }
 
 Parsed<double> parseMoveTolerance(std::string_view text) {
-  const auto number = parseNumber(text);
-  if (!number) return tl::unexpected(number.error());
-  if (*number >= 0) return *number;
-  return tl::unexpected(fmt::format("{} is not a number of 0 or more", *number));
+  VORPIPE_LET(number, parseNumber(text));
+  if (number >= 0) return number;
+  return tl::unexpected(fmt::format("{} is not a number of 0 or more", number));
 }
 
 std::string_view endWordOf(RelaxEnd end) {
@@ -87,20 +86,19 @@ Result<Relaxed> relaxSites(const RelaxCommand& command, SitesRun& run) {
   ProgressBar bar(command.talk.quiet);
   const std::uint64_t every = command.targets.every, iterations = command.iterations;
   const auto whole = static_cast<double>(std::max<std::uint64_t>(iterations, 1));
-  auto relaxation = Relaxation::begin(*run.session, run.input->sites, relaxOptions(command, run));
-  if (!relaxation) return tl::unexpected(std::move(relaxation.error()));
+  VORPIPE_VAR(relaxation, Relaxation::begin(*run.session, run.input->sites, relaxOptions(command, run)));
   Result<bool> more = true;
   while (more && *more) {
-    const std::uint64_t diagram = relaxation->trace().back().diagram;
-    bar.show(progressText(diagram, lastTaken(relaxation->trace()), iterations),
+    const std::uint64_t diagram = relaxation.trace().back().diagram;
+    bar.show(progressText(diagram, lastTaken(relaxation.trace()), iterations),
              static_cast<double>(diagram) / whole);
     if (every > 0 && diagram % every == 0) {
-      VORPIPE_TRY(run.writeNumbered(relaxation->sites(), diagram));
+      VORPIPE_TRY(run.writeNumbered(relaxation.sites(), diagram));
     }
-    more = relaxation->step();
+    more = relaxation.step();
   }
   if (!more) return tl::unexpected(more.error());
-  return Relaxed{relaxation->sites(), relaxation->trace(), relaxation->end(), relaxation->report()};
+  return Relaxed{relaxation.sites(), relaxation.trace(), relaxation.end(), relaxation.report()};
 }
 
 std::string relaxSummary(const Relaxed& relaxed) {

@@ -99,35 +99,32 @@ Result<ExitCode> render(RenderCommand& command, const Invocation& how) {
   options.width = known.width;
   options.height = known.height;
   const PlanRun plan = std::bind_front(planRender, std::cref(command), std::cref(options));
-  const auto input = run.load(command.input, plan);
-  if (!input) return tl::unexpected(input.error());
-  auto complete = pictureOf(command.picture, command.input, *input);
-  if (!complete) return tl::unexpected(std::move(complete.error()));
-  options = std::move(*complete);
+  VORPIPE_LET(input, run.load(command.input, plan));
+  VORPIPE_VAR(complete, pictureOf(command.picture, command.input, input));
+  options = std::move(complete);
   options.search = command.search;
   const int threads = command.backend.threads;
-  VORPIPE_TRY(checkInput(command.input, *input, cellsOptions(options), threads));
-  VORPIPE_TRY(checkSurface(command, input->sites, options));
-  VORPIPE_TRY(run.begin(command.input, *input, imagesOf(command), plan));
+  VORPIPE_TRY(checkInput(command.input, input, cellsOptions(options), threads));
+  VORPIPE_TRY(checkSurface(command, input.sites, options));
+  VORPIPE_TRY(run.begin(command.input, input, imagesOf(command), plan));
   ProgressBar bar(command.talk.quiet);
   options.progress = bar.callback();
-  const auto drawing = draw(command.surface, *run.session, input->sites, options, needsOf(command.files));
+  const auto drawing = draw(command.surface, *run.session, input.sites, options, needsOf(command.files));
   bar.clear();
   if (!drawing) return asOption(drawing.error(), command.input);
   const Report& report = drawing->report();
   printNotes(command.talk, report);
-  if (command.surface == Surface::none) printMissingCells(command.talk, *input, drawing->status(), report);
+  if (command.surface == Surface::none) printMissingCells(command.talk, input, drawing->status(), report);
   if (const auto note = stretchNote(command.picture, options); !note.empty() && !command.talk.quiet) {
     printNote(note);
   }
   if (!validationIsSilent(report)) return exit_device;
   if (command.check) {
-    const auto passed = passesCheck(checkDrawing(input->sites, options, *drawing, threads));
-    if (!passed) return tl::unexpected(passed.error());
-    if (!*passed) return exit_different;
+    VORPIPE_LET(passed, passesCheck(checkDrawing(input.sites, options, *drawing, threads)));
+    if (!passed) return exit_different;
   }
-  VORPIPE_TRY(writeFiles(command, run, *input, options, *drawing));
-  run.printSummary(fmt::format("{}, {}x{}", run.outcome(input->sites, report), options.width, options.height),
+  VORPIPE_TRY(writeFiles(command, run, input, options, *drawing));
+  run.printSummary(fmt::format("{}, {}x{}", run.outcome(input.sites, report), options.width, options.height),
                    report);
   return exit_done;
 }

@@ -30,12 +30,10 @@ using File = std::unique_ptr<std::FILE, int (*)(std::FILE*)>;
 
 /// Reads a file of --stats. Errors: those of recordedRun and InputFile.
 Result<RecordedRun> readRecordedRun(const std::string& path) {
-  auto file = InputFile::open(path);
-  if (!file) return tl::unexpected(std::move(file.error()));
+  VORPIPE_VAR(file, InputFile::open(path));
   constexpr std::size_t most = std::size_t{1} << 24;
-  const auto text = readText(*file, most);
-  if (!text) return tl::unexpected(text.error());
-  return recordedRun(file->name(), *text);
+  VORPIPE_LET(text, readText(file, most));
+  return recordedRun(file.name(), text);
 }
 
 /// Returns the arguments of the run, except --stats: its file is kept as evidence.
@@ -64,25 +62,23 @@ Result<std::vector<std::string>> argumentsAgain(const RerunCommand& command, con
 
 /// Copies standard input to a file: it can be read only once, but is needed here and by the run.
 Result<Contents> keepStandardInput() {
-  auto input = InputFile::open("-");
-  if (!input) return tl::unexpected(std::move(input.error()));
+  VORPIPE_VAR(input, InputFile::open("-"));
   const File kept(std::tmpfile(), std::fclose);
-  if (!kept) return systemError(ErrorCode::device, input->name(), "cannot be kept", errno);
+  if (!kept) return systemError(ErrorCode::device, input.name(), "cannot be kept", errno);
   constexpr std::size_t piece = std::size_t{1} << 16;
   std::vector<char> bytes(piece);
   ContentHash hash;
   for (std::size_t count = piece; count == piece;) {
-    const auto got = input->readAsIs(bytes);
-    if (!got) return tl::unexpected(got.error());
-    count = *got;
+    VORPIPE_LET(got, input.readAsIs(bytes));
+    count = got;
     hash.add({bytes.data(), count});
     if (std::fwrite(bytes.data(), 1, count, kept.get()) != count) {
-      return systemError(ErrorCode::device, input->name(), "cannot be kept", errno);
+      return systemError(ErrorCode::device, input.name(), "cannot be kept", errno);
     }
   }
   std::rewind(kept.get());
   if (::lseek(::fileno(kept.get()), 0, SEEK_SET) != 0 || ::dup2(::fileno(kept.get()), STDIN_FILENO) < 0) {
-    return systemError(ErrorCode::device, input->name(), "cannot be kept", errno);
+    return systemError(ErrorCode::device, input.name(), "cannot be kept", errno);
   }
   return hash.contents();
 }
@@ -91,12 +87,11 @@ Result<Contents> keepStandardInput() {
 Result<void> checkInputs(const RerunCommand& command, const RecordedRun& run) {
   std::vector<std::string> changed;
   for (const LoggedFile& file : run.inputs) {
-    const auto now = file.path == "-" ? keepStandardInput() : contentsOf(file.path);
-    if (!now) return tl::unexpected(now.error());
-    if (*now == file.contents) continue;
+    VORPIPE_LET(now, file.path == "-" ? keepStandardInput() : contentsOf(file.path));
+    if (now == file.contents) continue;
     changed.push_back(fmt::format(
         "{}: has changed since the run that {} tells of: {} bytes, hash {}, not {} bytes, hash {}",
-        file.path == "-" ? "<stdin>" : file.path, command.stats, now->bytes, now->xxh128, file.contents.bytes,
+        file.path == "-" ? "<stdin>" : file.path, command.stats, now.bytes, now.xxh128, file.contents.bytes,
         file.contents.xxh128));
   }
   if (changed.empty()) return {};
@@ -160,30 +155,27 @@ Result<void> checkNames(const RerunCommand& command, const std::vector<std::stri
 }
 
 Result<ExitCode> rerun(const RerunCommand& command, CommandLine& line) {
-  const auto then = readRecordedRun(command.stats);
-  if (!then) return tl::unexpected(then.error());
-  const auto arguments = argumentsAgain(command, line.declared(), *then);
-  if (!arguments) return tl::unexpected(arguments.error());
-  VORPIPE_TRY(checkNames(command, *arguments));
+  VORPIPE_LET(then, readRecordedRun(command.stats));
+  VORPIPE_LET(arguments, argumentsAgain(command, line.declared(), then));
+  VORPIPE_TRY(checkNames(command, arguments));
   if (command.dry_run) {
-    fmt::print("vorpipe {}\n", shellLine(*arguments));
+    fmt::print("vorpipe {}\n", shellLine(arguments));
     return exit_done;
   }
-  VORPIPE_TRY(checkInputs(command, *then));
+  VORPIPE_TRY(checkInputs(command, then));
   std::string stats;
-  auto code = runAgain(line, *arguments, stats);
+  auto code = runAgain(line, arguments, stats);
   if (!code || stats.empty()) return code;
-  const auto now = recordedRun("the run", stats);
-  if (!now) return tl::unexpected(now.error());
-  noteChanges(command, *then, *now);
-  const auto parts = differences(*then, *now);
+  VORPIPE_LET(now, recordedRun("the run", stats));
+  noteChanges(command, then, now);
+  const auto parts = differences(then, now);
   if (!parts.empty()) {
     printError(fmt::to_string(fmt::join(parts, "; ")));
     return exit_different;
   }
   std::vector<std::string> paths;
   std::vector<std::string> named;
-  for (const WrittenFile& written : then->outputs) {
+  for (const WrittenFile& written : then.outputs) {
     paths.push_back(written.file.path);
     named.push_back(paths.back() + (written.timeless.empty() ? "" : " (but for times)"));
   }

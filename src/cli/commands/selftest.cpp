@@ -265,8 +265,7 @@ Result<ExitCode> runSelftest(const SelftestCommand& command) {
   setDriverThreads(command.options.threads);
   std::vector<std::string> paths;
   if (!command.json.empty()) paths.push_back(command.json);
-  auto files = createFiles(paths);
-  if (!files) return tl::unexpected(std::move(files.error()));
+  VORPIPE_VAR(files, createFiles(paths));
   ProgressBar bar(command.talk.quiet);
   const auto say = [&](const std::string& text) {
     bar.clear();
@@ -286,7 +285,7 @@ Result<ExitCode> runSelftest(const SelftestCommand& command) {
   if (!command.json.empty()) {
     writers.emplace_back([&](ByteSink& to) { return to.write(jsonOf(*report)); });
   }
-  VORPIPE_TRY(writeOutputs(*files, writers));
+  VORPIPE_TRY(writeOutputs(files, writers));
   if (report->passed()) return exit_done;
   printError("a promise is broken: " + firstFault(*report));
   return exit_different;

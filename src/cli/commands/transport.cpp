@@ -34,10 +34,9 @@ struct TransportCommand : SitesOptions {
 };
 
 Parsed<double> parseTolerance(std::string_view text) {
-  const auto number = parseNumber(text);
-  if (!number) return tl::unexpected(number.error());
-  if (*number > 0) return *number;
-  return tl::unexpected(fmt::format("{} is not a number above 0", *number));
+  VORPIPE_LET(number, parseNumber(text));
+  if (number > 0) return number;
+  return tl::unexpected(fmt::format("{} is not a number above 0", number));
 }
 
 /// Plans the memory of a run: cells, the matrix and the levels of its solver, then files.
@@ -160,11 +159,10 @@ double partDone(const TransportStep& step, double first_worst, double tolerance)
 
 Result<Transported> transportSites(const TransportCommand& command, SitesRun& run,
                                    std::vector<double> masses) {
-  const auto options = transportOptions(command, run, std::move(masses));
-  if (!options) return tl::unexpected(options.error());
+  VORPIPE_LET(options, transportOptions(command, run, std::move(masses)));
   ProgressBar bar(command.talk.quiet);
   double first_worst = 0;
-  return transport(*run.session, run.input->sites, *options, [&](const TransportStep& step) {
+  return transport(*run.session, run.input->sites, options, [&](const TransportStep& step) {
     if (!(first_worst > 0)) first_worst = step.worst;
     if (step.taken) {
       bar.show(fmt::format("transport {}, worst {:.2g}", step.diagram, step.worst),
@@ -282,10 +280,9 @@ Result<ExitCode> transportCells(TransportCommand& command, const Invocation& how
   run.surface = command.masses.around();
   const PlanRun plan = std::bind_front(planTransport, std::cref(command), std::cref(run));
   VORPIPE_TRY(run.load(plan));
-  auto masses = loadMasses(command.masses, *run.input);
-  if (!masses) return tl::unexpected(std::move(masses.error()));
+  VORPIPE_VAR(masses, loadMasses(command.masses, *run.input));
   VORPIPE_TRY(run.begin(plan));
-  const auto found = transportSites(command, run, std::move(*masses));
+  const auto found = transportSites(command, run, std::move(masses));
   if (!found) return asOption(withAdvice(found.error(), command.masses), run.source);
   const bool interrupted = takeSignal();
   printNotes(command.talk, found->report);

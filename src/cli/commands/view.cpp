@@ -152,9 +152,8 @@ Result<view::AppOptions> appOf(const ViewCommand& command) {
     options.viewer.density = std::make_shared<const Density>(std::move(density->density));
     options.viewer.settings.density_path = command.density;
   }
-  auto opened = openedBy(command);
-  if (!opened) return tl::unexpected(std::move(opened.error()));
-  options.viewer.opened = std::move(*opened);
+  VORPIPE_VAR(opened, openedBy(command));
+  options.viewer.opened = std::move(opened);
   options.viewer.settings.picture = command.picture.render;
   options.viewer.settings.cells = !command.picture.no_fill;
   // A screenshot has no panel, so the picture must not make room for one.
@@ -198,18 +197,16 @@ Result<ExitCode> runView(const ViewCommand& command) {
     const auto fits = forecastGenerated(command.input, planOf(command), command.memory_limit);
     if (!fits) return tl::unexpected(fits.error());
   }
-  auto options = appOf(command);
-  if (!options) return tl::unexpected(std::move(options.error()));
-  VORPIPE_TRY(checkNotRead(namedOutputs(*options)));
+  VORPIPE_VAR(options, appOf(command));
+  VORPIPE_TRY(checkNotRead(namedOutputs(options)));
   endOnLostDisplay(exit_device);
-  auto window = openWindow(command, options->viewer.shown_by);
-  if (!window) return tl::unexpected(std::move(window.error()));
-  view::Screen& screen = *window;
-  const std::string& name = isFluid(command) ? options->viewer.opened.fluid_name : command.input.sites;
+  VORPIPE_VAR(window, openWindow(command, options.viewer.shown_by));
+  view::Screen& screen = window;
+  const std::string& name = isFluid(command) ? options.viewer.opened.fluid_name : command.input.sites;
   screen.setTitle(name.empty() ? "vorpipe" : fmt::format("{} - vorpipe", name));
-  options->viewer.copy = [&screen](const std::string& text) { screen.copyToClipboard(text); };
+  options.viewer.copy = [&screen](const std::string& text) { screen.copyToClipboard(text); };
   stopOnSignals();
-  const auto end = view::run(screen, std::move(*options));
+  const auto end = view::run(screen, std::move(options));
   if (!end) return asOption(end.error(), command.input);
   VORPIPE_TRY(stopIfAsked());
   Report report{};

@@ -8,6 +8,7 @@
 #include <iterator>
 #include <utility>
 
+#include "base/try.h"
 #include "cli/options/options.h"
 #include "io/base/error.h"
 #include "io/base/extension.h"
@@ -37,10 +38,9 @@ Parsed<FluidScheme> parseScheme(std::string_view text) {
 }
 
 Parsed<double> parsePositive(std::string_view text) {
-  const auto number = parseNumber(text);
-  if (!number) return tl::unexpected(number.error());
-  if (*number > 0) return *number;
-  return tl::unexpected(fmt::format("{} is not more than 0", *number));
+  VORPIPE_LET(number, parseNumber(text));
+  if (number > 0) return number;
+  return tl::unexpected(fmt::format("{} is not more than 0", number));
 }
 
 /// 0 for `auto`.

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "base/try.h"
 #include "cli/options/options.h"
 #include "io/base/error.h"
 #include "io/base/number.h"
@@ -23,10 +24,9 @@ Parsed<MassSource> parseMasses(std::string_view text) {
 }
 
 Parsed<std::optional<double>> parseFill(std::string_view text) {
-  const auto part = parseNumber(text);
-  if (!part) return tl::unexpected(part.error());
-  if (*part > 0 && *part < 1) return *part;
-  return tl::unexpected(fmt::format("{} is not a part of the domain, between 0 and 1", *part));
+  VORPIPE_LET(part, parseNumber(text));
+  if (part > 0 && part < 1) return part;
+  return tl::unexpected(fmt::format("{} is not a part of the domain, between 0 and 1", part));
 }
 
 Parsed<Surface> parseSurface(std::string_view text) {

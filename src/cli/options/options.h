@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "base/try.h"
 #include "cli/options/command_line.h"
 #include "cli/options/parse.h"
 #include "io/sites/site_domain.h"
@@ -46,11 +47,10 @@ Option addRepeatable(Options& options, const std::string& name, const std::strin
 /// Parses a file whose extension determines its format.
 template <class Target, class FormatOf>
 Parsed<Target> parseNamed(std::string_view text, const FormatOf& format_of) {
-  auto path = parseFile(text, "");
-  if (!path) return tl::unexpected(std::move(path.error()));
-  const auto format = format_of(*path);
+  VORPIPE_VAR(path, parseFile(text, ""));
+  const auto format = format_of(path);
   if (!format) return tl::unexpected(format.error().message);
-  return Target{std::move(*path), *format};
+  return Target{std::move(path), *format};
 }
 
 /// Adds an option that names a file; `extension` as in parseFile.

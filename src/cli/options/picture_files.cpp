@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "base/try.h"
 #include "cli/options/options.h"
 #include "io/base/error.h"
 #include "io/base/extension.h"
@@ -18,11 +19,10 @@ constexpr std::string_view standard_output = "-";
 /// Parses a file and its format; that of `usual` if the name has no extension (/dev/stdout).
 template <class File, class FormatOf>
 Parsed<File> parseAs(std::string_view text, const FormatOf& format_of, const std::string& usual) {
-  auto path = parseFile(text, "");
-  if (!path) return tl::unexpected(std::move(path.error()));
-  const auto format = format_of(lowerExtension(*path).empty() ? usual : *path);
+  VORPIPE_VAR(path, parseFile(text, ""));
+  const auto format = format_of(lowerExtension(path).empty() ? usual : path);
   if (!format) return tl::unexpected(format.error().message);
-  return File{std::move(*path), *format};
+  return File{std::move(path), *format};
 }
 
 Parsed<PictureFile> parsePicture(std::string_view text) {

@@ -8,6 +8,7 @@
 #include <type_traits>
 
 #include "base/option_rows.h"
+#include "base/try.h"
 #include "io/base/error.h"
 #include "io/base/number.h"
 #include "io/base/quoted.h"
@@ -36,10 +37,9 @@ Parsed<Fit> parseFit(std::string_view text) {
 }
 
 Parsed<ColorRange> parseColorRange(std::string_view text) {
-  const auto range = parseWeightRange(text);
-  if (!range) return tl::unexpected(range.error());
-  if (range->low == range->high) return tl::unexpected(fmt::format("LO {} is not below HI", range->low));
-  return ColorRange{range->low, range->high};
+  VORPIPE_LET(range, parseWeightRange(text));
+  if (range.low == range.high) return tl::unexpected(fmt::format("LO {} is not below HI", range.low));
+  return ColorRange{range.low, range.high};
 }
 
 /// Parses a number in the range of its row.
@@ -50,11 +50,10 @@ Parsed<Number> parseNumberOf(const NumberRow<RenderOptions, Number>& row, std::s
                most = static_cast<std::uint64_t>(row.most);
     return parseWhole(text, least, most).map([](auto number) { return static_cast<Number>(number); });
   } else {
-    const auto number = parseNumber(text);
-    if (!number) return tl::unexpected(number.error());
-    if (*number >= row.least_given && *number <= row.most) return *number;
+    VORPIPE_LET(number, parseNumber(text));
+    if (number >= row.least_given && number <= row.most) return number;
     return tl::unexpected(
-        fmt::format("{} is not a number of{} from {} to {}", *number, row.unit, row.least_given, row.most));
+        fmt::format("{} is not a number of{} from {} to {}", number, row.unit, row.least_given, row.most));
   }
 }
 

@@ -8,6 +8,7 @@
 #include <iterator>
 #include <utility>
 
+#include "base/try.h"
 #include "cli/options/options.h"
 #include "io/base/error.h"
 #include "io/base/quoted.h"
@@ -19,16 +20,15 @@ namespace {
 /// Parses a file of sites; for a file of cells or a picture, the error names the right option.
 Parsed<PointsTarget> parsePoints(std::string_view text) {
   if (text == "-" || text == standard_output) return PointsTarget{std::string(standard_output), nullptr};
-  auto path = parseFile(text, "");
-  if (!path) return tl::unexpected(std::move(path.error()));
-  if (const auto format = pointsFormatOf(*path)) return PointsTarget{std::move(*path), *format};
+  VORPIPE_VAR(path, parseFile(text, ""));
+  if (const auto format = pointsFormatOf(path)) return PointsTarget{std::move(path), *format};
   const auto isFor = [&](std::string_view option) {
     return tl::unexpected(fmt::format("{0} is no file of sites ({1}); {2} {0} writes one of such a kind",
-                                      *path, fmt::join(pointsExtensions(), ", "), option));
+                                      path, fmt::join(pointsExtensions(), ", "), option));
   };
-  if (pictureFormatOf(*path)) return isFor("--picture");
-  if (cellsFormatOf(*path)) return isFor("--cells");
-  return tl::unexpected(pointsFormatOf(*path).error().message);
+  if (pictureFormatOf(path)) return isFor("--picture");
+  if (cellsFormatOf(path)) return isFor("--cells");
+  return tl::unexpected(pointsFormatOf(path).error().message);
 }
 
 std::string numbered(const std::string& path, std::uint64_t number) {

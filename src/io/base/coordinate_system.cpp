@@ -10,6 +10,7 @@
 #include <system_error>
 #include <utility>
 
+#include "base/try.h"
 #include "io/base/error.h"
 #include "io/base/extension.h"
 #include "io/base/input_file.h"
@@ -239,11 +240,9 @@ Result<void> readSystemBeside(const std::string& path, CoordinateSystem& system)
   const std::string beside = besides(path, ".prj");
   std::error_code none;
   if (!std::filesystem::is_regular_file(beside, none)) return {};
-  auto file = InputFile::open(beside);
-  if (!file) return tl::unexpected(std::move(file.error()));
-  const auto text = readText(*file, longest);
-  if (!text) return tl::unexpected(text.error());
-  auto read = systemOfWkt(*text);
+  VORPIPE_VAR(file, InputFile::open(beside));
+  VORPIPE_LET(text, readText(file, longest));
+  auto read = systemOfWkt(text);
   if (!read) return inputError(fmt::format("{}: is no coordinate system in WKT", beside));
   if (compared(*read, system) == SystemsAre::different) {
     return inputError(fmt::format("{}: says {}, and {} has {}", beside, nameOf(*read), path, nameOf(system)));

@@ -163,26 +163,25 @@ Result<bool> CsvReader::next() {
   earlier_.clear();
   while (true) {
     line_ = {};
-    const auto line = lines_.next();
-    if (!line) return tl::unexpected(line.error());
-    if (!*line && earlier_.empty()) return false;
-    if (!*line) return errorAt(fields(), "the quoted field that begins here does not end");
+    VORPIPE_LET(line, lines_.next());
+    if (!line && earlier_.empty()) return false;
+    if (!line) return errorAt(fields(), "the quoted field that begins here does not end");
     if (earlier_.size() > LineReader::longest_line) {
       return errorAt(fields(), fmt::format("the quoted field that begins here is longer than {} bytes",
                                            LineReader::longest_line));
     }
     if (earlier_.empty()) {
-      const auto record = isRecord(**line);
+      const auto record = isRecord(*line);
       if (!record) return record;
       if (!*record) continue;
     }
-    VORPIPE_TRY(parse(**line));
+    VORPIPE_TRY(parse(*line));
     if (record_.complete) {
       begun_ = true;
       return true;
     }
-    if (!earlier_.empty() || !trimmed(**line).empty()) {
-      earlier_.append(**line) += '\n';
+    if (!earlier_.empty() || !trimmed(*line).empty()) {
+      earlier_.append(*line) += '\n';
     }
   }
 }

@@ -105,12 +105,10 @@ tl::unexpected<Error> FeatureLayer::failed(int code) const {
 }
 
 Result<void> FeatureLayer::openDatabase() {
-  auto file = InputFile::open(path_);
-  if (!file) return tl::unexpected(file.error());
+  VORPIPE_VAR(file, InputFile::open(path_));
   std::array<char, sqlite_header_size> header{};
-  const auto got = file->read(header);
-  if (!got) return tl::unexpected(got.error());
-  if (!std::string_view(header.data(), *got).starts_with(sqlite_magic)) {
+  VORPIPE_LET(got, file.read(header));
+  if (!std::string_view(header.data(), got).starts_with(sqlite_magic)) {
     return inputError(fmt::format("{}: is no GeoPackage: it does not begin with \"SQLite format 3\"", path_));
   }
   const std::string address = sqliteAddress(path_, header);
@@ -120,7 +118,7 @@ Result<void> FeatureLayer::openDatabase() {
   database_.reset(database);
   if (database == nullptr) throw std::bad_alloc();
   if (code != SQLITE_OK) return failed(code);
-  const int limited = limits_->apply(database, file->size().value_or(0));
+  const int limited = limits_->apply(database, file.size().value_or(0));
   return limited == SQLITE_OK ? Result<void>() : failed(limited);
 }
 
@@ -145,13 +143,11 @@ Result<bool> FeatureLayer::step(const Statement& statement) const {
 
 template <class Use>
 Result<void> FeatureLayer::eachRow(const std::string& sql, std::string_view parameter, const Use& use) const {
-  const auto statement = prepare(sql, parameter);
-  if (!statement) return tl::unexpected(statement.error());
+  VORPIPE_LET(statement, prepare(sql, parameter));
   while (true) {
-    const auto more = step(*statement);
-    if (!more) return tl::unexpected(more.error());
-    if (!*more) return {};
-    use(statement->get());
+    VORPIPE_LET(more, step(statement));
+    if (!more) return {};
+    use(statement.get());
   }
 }
 
@@ -230,9 +226,8 @@ Result<void> FeatureLayer::findSystem() {
 Result<void> FeatureLayer::select() {
   std::string names = sqlName(geometry_column_);
   for (const LayerColumn& column : columns_) names += ", " + sqlName(column.name);
-  auto statement = prepare(fmt::format("SELECT {} FROM {}", names, sqlName(name_)), {});
-  if (!statement) return tl::unexpected(statement.error());
-  rows_ = std::move(*statement);
+  VORPIPE_VAR(statement, prepare(fmt::format("SELECT {} FROM {}", names, sqlName(name_)), {}));
+  rows_ = std::move(statement);
   return {};
 }
 

@@ -260,18 +260,16 @@ Result<void> LayerWriter::addToTree(const Statement& insertion, const Box& box) 
 Result<void> LayerWriter::insertFeatures(std::size_t count, const FillRow& fill) {
   std::string values = "NULL,?";
   for (std::size_t k = 0; k < layer_.fields.size(); ++k) values += ",?";
-  const auto insertion = prepare(fmt::format("INSERT INTO {} VALUES({})", sqlName(layer_.name), values));
-  if (!insertion) return tl::unexpected(insertion.error());
-  const auto tree_insertion = prepare(fmt::format("INSERT INTO {} VALUES(?,?,?,?,?)", treeName(layer_)));
-  if (!tree_insertion) return tl::unexpected(tree_insertion.error());
+  VORPIPE_LET(insertion, prepare(fmt::format("INSERT INTO {} VALUES({})", sqlName(layer_.name), values)));
+  VORPIPE_LET(tree_insertion, prepare(fmt::format("INSERT INTO {} VALUES(?,?,?,?,?)", treeName(layer_))));
   for (std::size_t index = 0; index < count; ++index) {
-    sqlite3_clear_bindings(insertion->get());
-    FeatureRow row(insertion->get(), reference_.id);
+    sqlite3_clear_bindings(insertion.get());
+    FeatureRow row(insertion.get(), reference_.id);
     if (!fill(index, row)) continue;
     if (row.code() != SQLITE_OK) return failed(row.code());
-    VORPIPE_TRY(step(*insertion));
+    VORPIPE_TRY(step(insertion));
     if (!row.box()) continue;
-    VORPIPE_TRY(addToTree(*tree_insertion, *row.box()));
+    VORPIPE_TRY(addToTree(tree_insertion, *row.box()));
   }
   return {};
 }

@@ -70,9 +70,8 @@ std::optional<std::uint64_t> InputFile::mostBytes() const {
 Result<void> InputFile::begin() {
   constexpr int gzip_window = 15 + 16;  // the largest window, with header and checksums of gzip
   begun_ = true;
-  const auto got = readBytes(head_);
-  if (!got) return tl::unexpected(got.error());
-  head_end_ = *got;
+  VORPIPE_LET(got, readBytes(head_));
+  head_end_ = got;
   if (head_end_ < head_.size() || head_[0] != '\x1F' || head_[1] != '\x8B') return {};
   inflater_ = std::make_unique<Inflater>();
   if (inflateInit2(&inflater_->stream, gzip_window) != Z_OK) return deviceError(name_ + ": out of memory");
@@ -93,12 +92,11 @@ Result<std::size_t> InputFile::inflate(std::span<char> bytes) {
   std::size_t count = 0;
   while (count < bytes.size()) {
     if (stream.avail_in == 0) {
-      const auto got = readAsIs(packed);
-      if (!got) return tl::unexpected(got.error());
-      if (*got == 0 && between) return count;
-      if (*got == 0) return inputError(name_ + ": is truncated: its gzip data end too early");
+      VORPIPE_LET(got, readAsIs(packed));
+      if (got == 0 && between) return count;
+      if (got == 0) return inputError(name_ + ": is truncated: its gzip data end too early");
       stream.next_in = reinterpret_cast<Bytef*>(packed.data());
-      stream.avail_in = static_cast<uInt>(*got);
+      stream.avail_in = static_cast<uInt>(got);
     }
     if (std::exchange(between, false)) inflateReset(&stream);
     const std::size_t room = std::min<std::size_t>(bytes.size() - count, std::numeric_limits<uInt>::max());
@@ -150,14 +148,13 @@ Result<std::string> readText(InputFile& file, std::size_t most) {
       VORPIPE_TRY(checkRoom(file.name(), fmt::format("first {} MB", size >> 20), 3 * size));
     }
     text.resize(size + chunk);
-    const auto got = file.read(std::span(text).subspan(size));
-    if (!got) return tl::unexpected(got.error());
-    text.resize(size + *got);
+    VORPIPE_LET(got, file.read(std::span(text).subspan(size)));
+    text.resize(size + got);
     if (text.size() > most) {
       return inputError(fmt::format("{}: is larger than {} MiB, which is the most for such a file",
                                     file.name(), most >> 20));
     }
-    if (*got < chunk) return text;
+    if (got < chunk) return text;
   }
 }
 

@@ -14,6 +14,7 @@
 #include <utility>
 #include <vector>
 
+#include "base/try.h"
 #include "io/base/error.h"
 #include "io/base/input_file.h"
 #include "io/base/line_reader.h"
@@ -265,16 +266,14 @@ inline std::string_view withoutSeparator(std::string_view line) {
 template <class Json, class Take>
 Result<void> eachJsonLine(LineReader& lines, const Take& take) {
   while (true) {
-    const auto line = lines.next();
-    if (!line) return tl::unexpected(line.error());
-    if (!*line) return {};
-    const std::string_view text = withoutSeparator(**line);
+    VORPIPE_LET(line, lines.next());
+    if (!line) return {};
+    const std::string_view text = withoutSeparator(*line);
     if (text.empty()) continue;
     JsonBytes bytes(lines.name(), text);
-    bytes.setPlace(lines.number(), static_cast<std::size_t>(text.data() - (*line)->data()));
-    const auto value = parseJson<Json>(bytes);
-    if (!value) return tl::unexpected(value.error());
-    if (const auto problem = take(*value)) {
+    bytes.setPlace(lines.number(), static_cast<std::size_t>(text.data() - line->data()));
+    VORPIPE_LET(value, parseJson<Json>(bytes));
+    if (const auto problem = take(value)) {
       return inputError(fmt::format("{}:{}: {}", lines.name(), lines.number(), *problem));
     }
   }

@@ -36,10 +36,9 @@ Result<void> LineReader::refill() {
   end_ -= begin_;
   begin_ = 0;
   const std::size_t room = longest_line - end_;
-  const auto got = file_.read(std::span(buffer_.get() + end_, room));
-  if (!got) return tl::unexpected(got.error());
-  end_ += *got;
-  at_end_ = *got < room;
+  VORPIPE_LET(got, file_.read(std::span(buffer_.get() + end_, room)));
+  end_ += got;
+  at_end_ = got < room;
   return {};
 }
 

@@ -12,6 +12,7 @@
 #include <system_error>
 #include <utility>
 
+#include "base/try.h"
 #include "io/base/error.h"
 #include "io/base/quoted.h"
 
@@ -136,11 +137,10 @@ std::optional<std::uint64_t> dataBytesOf(const NpyHeader& header) {
 /// Reads `length` bytes of a header, of which `offset` bytes were read.
 Result<std::string> readPart(InputFile& file, std::size_t length, std::size_t offset) {
   std::string text(length, '\0');
-  const auto got = file.read(text);
-  if (!got) return tl::unexpected(got.error());
-  if (*got < length) {
+  VORPIPE_LET(got, file.read(text));
+  if (got < length) {
     return inputError(fmt::format("{}: is truncated: it holds {} bytes, its .npy header needs {}",
-                                  file.name(), offset + *got, offset + length));
+                                  file.name(), offset + got, offset + length));
   }
   return text;
 }
@@ -148,32 +148,29 @@ Result<std::string> readPart(InputFile& file, std::size_t length, std::size_t of
 /// Returns the dictionary as text, and the number of bytes before the data.
 Result<std::pair<std::string, std::size_t>> readDictionary(InputFile& file) {
   constexpr std::size_t preamble_size = 10;
-  auto preamble = readPart(file, preamble_size, 0);
-  if (!preamble) return tl::unexpected(preamble.error());
-  if (!preamble->starts_with(npy_magic)) {
+  VORPIPE_VAR(preamble, readPart(file, preamble_size, 0));
+  if (!preamble.starts_with(npy_magic)) {
     return inputError(file.name() + ": is not a .npy file: it does not begin with \\x93NUMPY");
   }
-  const auto version = static_cast<unsigned char>((*preamble)[6]);
+  const auto version = static_cast<unsigned char>(preamble[6]);
   if (version < 1 || version > 3) {
     return inputError(fmt::format("{}: version {} of .npy is not known; 1 to 3 are", file.name(), version));
   }
   std::size_t offset = preamble_size;
   if (version > 1) {
-    const auto rest = readPart(file, 2, offset);
-    if (!rest) return tl::unexpected(rest.error());
-    *preamble += *rest;
+    VORPIPE_LET(rest, readPart(file, 2, offset));
+    preamble += rest;
     offset += 2;
   }
   std::size_t length = 0;
   for (std::size_t i = offset; i-- > 8;) {
-    length = length << 8 | static_cast<unsigned char>((*preamble)[i]);
+    length = length << 8 | static_cast<unsigned char>(preamble[i]);
   }
   if (length > longest_header) {
     return inputError(fmt::format("{}: is damaged: its .npy header claims {} bytes", file.name(), length));
   }
-  auto text = readPart(file, length, offset);
-  if (!text) return tl::unexpected(text.error());
-  return std::pair(std::move(*text), offset + length);
+  VORPIPE_VAR(text, readPart(file, length, offset));
+  return std::pair(std::move(text), offset + length);
 }
 
 }  // namespace
@@ -204,9 +201,8 @@ Result<NpyHeader> parseNpyHeader(std::string_view text, const std::string& name)
 }
 
 Result<NpyHeader> readNpyHeader(InputFile& file) {
-  const auto dictionary = readDictionary(file);
-  if (!dictionary) return tl::unexpected(dictionary.error());
-  const auto& [text, begin] = *dictionary;
+  VORPIPE_LET(dictionary, readDictionary(file));
+  const auto& [text, begin] = dictionary;
   auto header = parseNpyHeader(text, file.name());
   if (!header) return header;
   if (header->kind == 'U') {

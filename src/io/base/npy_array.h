@@ -61,11 +61,10 @@ Result<void> eachElement(InputFile& file, const NpyHeader& header, std::uint64_t
   std::vector<char> buffer(chunk * sizeof(Value));
   for (std::uint64_t first = 0; first < count; first += chunk) {
     const auto length = static_cast<std::size_t>(std::min<std::uint64_t>(chunk, count - first));
-    const auto got = file.read(std::span(buffer).first(length * sizeof(Value)));
-    if (!got) return tl::unexpected(got.error());
-    if (*got < length * sizeof(Value)) {
+    VORPIPE_LET(got, file.read(std::span(buffer).first(length * sizeof(Value))));
+    if (got < length * sizeof(Value)) {
       return inputError(file.name() + ": is truncated: its data end after " +
-                        std::to_string(first * sizeof(Value) + *got) + " of " +
+                        std::to_string(first * sizeof(Value) + got) + " of " +
                         std::to_string(count * sizeof(Value)) + " bytes");
     }
     for (std::size_t i = 0; i < length; ++i) {
@@ -75,9 +74,8 @@ Result<void> eachElement(InputFile& file, const NpyHeader& header, std::uint64_t
   }
   // A file of unknown size, such as gzip, must be read to its end, where its checksum is.
   char more = 0;
-  const auto rest = file.read(std::span(&more, 1));
-  if (!rest) return tl::unexpected(rest.error());
-  if (*rest > 0) return inputError(file.name() + ": is too long: bytes follow the last element of its array");
+  VORPIPE_LET(rest, file.read(std::span(&more, 1)));
+  if (rest > 0) return inputError(file.name() + ": is too long: bytes follow the last element of its array");
   return {};
 }
 

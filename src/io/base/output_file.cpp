@@ -239,9 +239,8 @@ Result<OutputFile> OutputFile::create(const std::string& path) {
   if (path == "/dev/stdout" || path == "/dev/stderr" || (exists && !S_ISREG(status.st_mode))) {
     return createDirect(path);
   }
-  const auto target = followLinks(path);
-  if (!target) return tl::unexpected(target.error());
-  OutputFile file(path, target->string());
+  VORPIPE_LET(target, followLinks(path));
+  OutputFile file(path, target.string());
   VORPIPE_TRY(file.createTemporary());
   return file;
 }
@@ -276,17 +275,16 @@ Result<std::vector<OutputFile>> createOutputs(std::span<const std::string> paths
                                               std::span<const OutputFile> others) {
   std::vector<OutputFile> files;
   for (const std::string& path : paths) {
-    auto file = OutputFile::create(path);
-    if (!file) return tl::unexpected(file.error());
+    VORPIPE_VAR(file, OutputFile::create(path));
     const auto isSame = [&](const OutputFile& other) {
-      return !file->target().empty() && file->target() == other.target();
+      return !file.target().empty() && file.target() == other.target();
     };
     for (const auto& made : {std::span<const OutputFile>(files), others}) {
       if (const auto same = std::ranges::find_if(made, isSame); same != made.end()) {
         return inputError(fmt::format("{}: is the same output file as {}", path, same->name()));
       }
     }
-    files.push_back(std::move(*file));
+    files.push_back(std::move(file));
   }
   return files;
 }

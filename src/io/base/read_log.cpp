@@ -8,6 +8,7 @@
 #include <new>
 #include <utility>
 
+#include "base/try.h"
 #include "io/base/input_file.h"
 
 namespace vorpipe {
@@ -31,16 +32,14 @@ Contents ContentHash::contents() const {
 
 Result<Contents> contentsOf(const std::string& path) {
   const ReadLog::Pause unnoted;
-  auto file = InputFile::open(path);
-  if (!file) return tl::unexpected(std::move(file.error()));
+  VORPIPE_VAR(file, InputFile::open(path));
   ContentHash hash;
   // On the stack, since the heap use of a run afterwards is forecast to a few percent.
   std::array<char, 1 << 16> bytes;  // NOLINT(cppcoreguidelines-pro-type-member-init)
   for (;;) {
-    const auto count = file->readAsIs(bytes);
-    if (!count) return tl::unexpected(count.error());
-    hash.add({bytes.data(), *count});
-    if (*count < bytes.size()) return hash.contents();
+    VORPIPE_LET(count, file.readAsIs(bytes));
+    hash.add({bytes.data(), count});
+    if (count < bytes.size()) return hash.contents();
   }
 }
 

@@ -213,16 +213,14 @@ Result<void> writeZip(ByteSink& sink, std::span<const ZipEntry> entries) {
 }
 
 Result<NpzFile> NpzFile::read(const std::string& path) {
-  auto file = InputFile::open(path);
-  if (!file) return tl::unexpected(std::move(file.error()));
+  VORPIPE_VAR(file, InputFile::open(path));
   // A file that is no archive is not read to its end: it may have none.
   std::string bytes(local_mark.size(), '\0');
-  const auto begin = file->read(bytes);
+  const auto begin = file.read(bytes);
   if (!begin) return tl::unexpected(begin.error());
   if (bytes != local_mark) return inputError(path + ": it is no whole .npz file");
-  auto rest = readText(*file);
-  if (!rest) return tl::unexpected(std::move(rest.error()));
-  bytes += *rest;
+  VORPIPE_VAR(rest, readText(file));
+  bytes += rest;
   NpzFile npz(path);
   try {
     const std::string& archive = npz.bytes_.emplace_back(std::move(bytes));
@@ -283,11 +281,11 @@ Result<void> NpzFile::add(std::string_view name, std::string_view array) {
   const std::size_t begin = npy_magic.size() + 2 + length_size;
   const std::size_t length = numberAt(array, npy_magic.size() + 2, length_size);
   if (length > array.size() - begin) return broken();
-  auto header = parseNpyHeader(array.substr(begin, length), fmt::format("{}: {}", name_, printable(name)));
-  if (!header) return tl::unexpected(std::move(header.error()));
+  VORPIPE_VAR(header,
+              parseNpyHeader(array.substr(begin, length), fmt::format("{}: {}", name_, printable(name))));
   const std::string_view elements = array.substr(begin + length);
-  if (header->data_bytes != elements.size()) return broken();
-  entries_.insert_or_assign(std::string(name), NpzEntry{std::move(*header), elements});
+  if (header.data_bytes != elements.size()) return broken();
+  entries_.insert_or_assign(std::string(name), NpzEntry{std::move(header), elements});
   return {};
 }
 

@@ -14,6 +14,7 @@
 #include <utility>
 #include <vector>
 
+#include "base/try.h"
 #include "io/base/byte_sink.h"
 #include "io/base/npy_array.h"
 #include "vorpipe.h"
@@ -77,11 +78,10 @@ class NpzFile {
   [[nodiscard]] Result<std::vector<Number>> numbers(const std::string& name,
                                                     std::uint64_t columns = 1) const {
     std::vector<Number> values;
-    const auto entry = entryOf(name, columns);
-    if (!entry) return tl::unexpected(entry.error());
-    if (*entry == nullptr) return values;
-    const auto read = withType((*entry)->header, [&]<class Value>(Value) -> Result<void> {
-      return copy<Value>(name, **entry, columns, values);
+    VORPIPE_LET(entry, entryOf(name, columns));
+    if (entry == nullptr) return values;
+    const auto read = withType(entry->header, [&]<class Value>(Value) -> Result<void> {
+      return copy<Value>(name, *entry, columns, values);
     });
     if (!read) return tl::unexpected(read.error());
     return values;

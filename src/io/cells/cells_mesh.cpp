@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "base/geos.h"
+#include "base/try.h"
 #include "io/base/error.h"
 #include "io/cells/cell_polygons.h"
 
@@ -159,10 +160,9 @@ Result<CellsMesh> cellsMesh(const ByteSink& sink, const Diagram& diagram) {
   };
   constexpr std::uint64_t largest = std::numeric_limits<std::int32_t>::max();
   if (diagram.vertices.size() > largest) return tooMany();
-  auto vertices = distinctPoints(diagram.vertices);
-  if (!vertices) return tl::unexpected(vertices.error());
+  VORPIPE_VAR(vertices, distinctPoints(diagram.vertices));
   CellsMesh mesh;
-  MeshMaker maker(diagram, std::move(*vertices), mesh);
+  MeshMaker maker(diagram, std::move(vertices), mesh);
   for (std::size_t site = 0; site < diagram.size(); ++site) {
     if (!maker.add(static_cast<std::uint32_t>(site))) {
       return deviceError(fmt::format("{}: the cell of site {} has holes, and could not be cut into triangles",

@@ -9,6 +9,7 @@
 #include <string_view>
 #include <utility>
 
+#include "base/try.h"
 #include "io/base/error.h"
 #include "io/base/input_file.h"
 #include "io/base/number.h"
@@ -161,11 +162,9 @@ Result<void> writeSeries(ByteSink& sink, const std::vector<SeriesStep>& steps) {
 }
 
 Result<std::vector<SeriesStep>> readSeries(const std::string& path) {
-  auto file = InputFile::open(path);
-  if (!file) return tl::unexpected(std::move(file.error()));
-  const auto text = readText(*file);
-  if (!text) return tl::unexpected(text.error());
-  std::string_view left = *text;
+  VORPIPE_VAR(file, InputFile::open(path));
+  VORPIPE_LET(text, readText(file));
+  std::string_view left = text;
   const auto skip = [&](std::string_view expected) {
     const bool is_there = left.starts_with(expected);
     if (is_there) left.remove_prefix(expected.size());
@@ -187,7 +186,7 @@ Result<std::vector<SeriesStep>> readSeries(const std::string& path) {
     if (is_good) steps.push_back({*time, std::move(name)});
   }
   if (is_good && left.empty()) return steps;
-  const auto lines = std::count(text->begin(), text->end() - static_cast<std::ptrdiff_t>(left.size()), '\n');
+  const auto lines = std::count(text.begin(), text.end() - static_cast<std::ptrdiff_t>(left.size()), '\n');
   return inputError(fmt::format("{}:{}: is not as a series of `vorpipe fluid` has it", path, lines + 1));
 }
 

@@ -146,16 +146,15 @@ Result<void> writeFluid(ByteSink& sink, const FluidState& state, const FluidOpti
 }
 
 Result<FluidSetup> readFluid(const std::string& path) {
-  const auto file = NpzFile::read(path);
-  if (!file) return tl::unexpected(file.error());
+  VORPIPE_LET(file, NpzFile::read(path));
   for (const char* needed : {"sites", "domain"}) {
-    if (!file->has(needed)) return inputError(fmt::format("{}: it has no array {}", path, needed));
+    if (!file.has(needed)) return inputError(fmt::format("{}: it has no array {}", path, needed));
   }
   FluidSetup setup{};
   FluidState& state = setup.state;
   FluidOptions& options = setup.options;
-  VORPIPE_TRY(checkNames(*file));
-  Reader read(*file);
+  VORPIPE_TRY(checkNames(file));
+  Reader read(file);
   for (const Point position : pointsOf(read.many<double>("sites", 2))) {
     state.sites.x.push_back(position.x);
     state.sites.y.push_back(position.y);

@@ -43,22 +43,20 @@ Result<void> readByType(InputFile& file, const NpyHeader& header, Image& image) 
 }
 
 Result<Image> readImage(InputFile& file) {
-  const auto header = readNpyHeader(file);
-  if (!header) return tl::unexpected(header.error());
-  const bool integer =
-      (header->kind == 'i' || header->kind == 'u') && (header->size == 4 || header->size == 8);
-  const auto& shape = header->shape;
+  VORPIPE_LET(header, readNpyHeader(file));
+  const bool integer = (header.kind == 'i' || header.kind == 'u') && (header.size == 4 || header.size == 8);
+  const auto& shape = header.shape;
   if (!integer || shape.size() != 2 || std::min(shape[0], shape[1]) < 1 ||
       std::max(shape[0], shape[1]) > max_extent) {
     return inputError(
         fmt::format("{}: holds {}; uint32, int32, uint64 or int64 (H, W) with 1 to {} rows and "
                     "columns is needed",
-                    file.name(), header->description, max_extent));
+                    file.name(), header.description, max_extent));
   }
   Image image;
   image.height = static_cast<int>(shape[0]);
   image.width = static_cast<int>(shape[1]);
-  VORPIPE_TRY(readByType(file, *header, image));
+  VORPIPE_TRY(readByType(file, header, image));
   return image;
 }
 
@@ -72,9 +70,8 @@ Result<void> writeNpyIds(ByteSink& sink, int width, int height, std::span<const 
 
 Result<Image> readNpyIds(const std::string& path) {
   try {
-    auto file = InputFile::open(path);
-    if (!file) return tl::unexpected(file.error());
-    return readImage(*file);
+    VORPIPE_VAR(file, InputFile::open(path));
+    return readImage(file);
   } catch (const std::bad_alloc&) {
     return deviceError(path + ": there is not enough memory for its ids");
   }

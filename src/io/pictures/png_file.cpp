@@ -206,9 +206,8 @@ template <class Make>
 auto readPixels(const std::string& path, int bits, std::uint64_t of_result, const Make& make)
     -> Result<decltype(make(Pixels{}))> {
   try {
-    auto file = InputFile::open(path);
-    if (!file) return tl::unexpected(file.error());
-    return decode(*file, path, bits, of_result).map(make);
+    VORPIPE_VAR(file, InputFile::open(path));
+    return decode(file, path, bits, of_result).map(make);
   } catch (const std::bad_alloc&) {
     return deviceError(path + ": there is not enough memory for its pixels");
   }

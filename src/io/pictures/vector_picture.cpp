@@ -75,9 +75,8 @@ Result<VectorPicture> VectorPicture::make(const Sites& sites, const Diagram& dia
                                           const RenderOptions& options, int threads) {
   VORPIPE_TRY(checkPicture(options));
   VectorPicture picture(sites, diagram, options);
-  auto colors = siteColors(sites, diagram, options);
-  if (!colors) return tl::unexpected(std::move(colors.error()));
-  picture.colors_ = std::move(*colors);
+  VORPIPE_VAR(colors, siteColors(sites, diagram, options));
+  picture.colors_ = std::move(colors);
   if (options.legend && picture.colors_.key) {
     picture.legend_ = legendOf(*picture.colors_.key, options.colormap, options.width, options.height);
   }
@@ -85,14 +84,12 @@ Result<VectorPicture> VectorPicture::make(const Sites& sites, const Diagram& dia
     VORPIPE_TRY(picture.placeDots(sites, threads));
   }
   if (options.dual) {
-    auto lines = dualLines(sites, diagram, options, threads);
-    if (!lines) return tl::unexpected(std::move(lines.error()));
-    picture.dual_ = std::move(*lines);
+    VORPIPE_VAR(lines, dualLines(sites, diagram, options, threads));
+    picture.dual_ = std::move(lines);
   }
   if (options.labels) {
-    auto labels = siteLabels(sites, diagram, options, threads);
-    if (!labels) return tl::unexpected(std::move(labels.error()));
-    picture.labels_ = std::move(*labels);
+    VORPIPE_VAR(labels, siteLabels(sites, diagram, options, threads));
+    picture.labels_ = std::move(labels);
   }
   return picture;
 }
@@ -113,9 +110,8 @@ std::optional<LegendBox> VectorPicture::boxBelow(const SiteLabel& label) const {
 Result<void> VectorPicture::placeDots(const Sites& sites, int threads) {
   const Box& domain = options_->domain;
   const bool periodic = options_->periodic != Periodic::none;
-  Result<Sites> placed = periodic ? wrapped(sites, domain, options_->periodic, threads) : Sites{};
-  if (!placed) return tl::unexpected(std::move(placed.error()));
-  const Sites& at = periodic ? *placed : sites;
+  VORPIPE_VAR(placed, periodic ? wrapped(sites, domain, options_->periodic, threads) : Sites{});
+  const Sites& at = periodic ? placed : sites;
   std::vector<std::uint32_t> shown;
   for (std::uint32_t i = 0; i < at.size(); ++i) {
     const double x = at.x[i], y = at.y[i];
@@ -133,12 +129,11 @@ Result<void> VectorPicture::placeDots(const Sites& sites, int threads) {
 
 Result<void> VectorPicture::keepInOutline(const Sites& at, std::vector<std::uint32_t>& sites,
                                           int threads) const {
-  auto locator = Locator::make(at, cellsOptions(*options_), threads);
-  if (!locator) return tl::unexpected(std::move(locator.error()));
+  VORPIPE_VAR(locator, Locator::make(at, cellsOptions(*options_), threads));
   std::vector<Point> places(sites.size());
   std::ranges::transform(sites, places.begin(), [&](std::uint32_t i) { return Point{at.x[i], at.y[i]}; });
   std::vector<std::uint32_t> cells(sites.size());
-  locator->at(places, cells);
+  locator.at(places, cells);
   std::size_t kept = 0;
   for (std::size_t k = 0; k < cells.size(); ++k) {
     if (cells[k] != no_site) sites[kept++] = sites[k];

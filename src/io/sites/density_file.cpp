@@ -51,16 +51,14 @@ Result<void> setBox(const SixNumbers& transform, const std::string& name, Densit
 }
 
 Result<SixNumbers> numbersIn(const std::string& path) {
-  auto file = InputFile::open(path);
-  if (!file) return tl::unexpected(std::move(file.error()));
-  LineReader lines(std::move(*file));
+  VORPIPE_VAR(file, InputFile::open(path));
+  LineReader lines(std::move(file));
   SixNumbers numbers{};
   std::size_t found = 0;
   while (true) {
-    const auto line = lines.next();
-    if (!line) return tl::unexpected(line.error());
-    if (!*line) break;
-    const std::string_view text = trimmed(**line);
+    VORPIPE_LET(line, lines.next());
+    if (!line) break;
+    const std::string_view text = trimmed(*line);
     if (text.empty()) continue;
     const auto number = parseNumber(text);
     if (!number) return lines.errorAt(1, number.error());
@@ -119,16 +117,14 @@ Result<void> takeAux(const std::string& path, DensityFile& read) {
   constexpr std::size_t longest = std::size_t{1} << 24;  // bytes: it has histograms and tables as well
   const std::string name = path + ".aux.xml";
   if (!isFile(name)) return {};
-  auto file = InputFile::open(name);
-  if (!file) return tl::unexpected(std::move(file.error()));
-  const auto xml = readText(*file, longest);
-  if (!xml) return tl::unexpected(xml.error());
-  if (const auto transform = textIn(*xml, "GeoTransform"); transform && !read.density.box) {
+  VORPIPE_VAR(file, InputFile::open(name));
+  VORPIPE_LET(xml, readText(file, longest));
+  if (const auto transform = textIn(xml, "GeoTransform"); transform && !read.density.box) {
     VORPIPE_TRY(transformIn(*transform, name).and_then([&](const SixNumbers& numbers) {
       return setBox(numbers, name, read.density);
     }));
   }
-  const auto srs = textIn(*xml, "SRS");
+  const auto srs = textIn(xml, "SRS");
   if (!srs || !read.density.box) return {};
   auto system = systemNamed(plainOf(*srs));
   if (!system) return inputError(fmt::format("{}: its SRS: {}", name, system.error()));
@@ -174,19 +170,17 @@ Result<Density> readPixels(InputFile& file, const NpyHeader& header) {
 }
 
 Result<Density> readArrayDensity(const std::string& path) {
-  auto file = InputFile::open(path);
-  if (!file) return tl::unexpected(file.error());
-  const auto header = readNpyHeader(*file);
-  if (!header) return tl::unexpected(header.error());
-  const auto& shape = header->shape;
-  if (areNumbers(*header) && shape.size() == 2 && std::min(shape[0], shape[1]) >= 1 &&
+  VORPIPE_VAR(file, InputFile::open(path));
+  VORPIPE_LET(header, readNpyHeader(file));
+  const auto& shape = header.shape;
+  if (areNumbers(header) && shape.size() == 2 && std::min(shape[0], shape[1]) >= 1 &&
       std::max(shape[0], shape[1]) <= max_extent) {
-    return withType(*header, [&]<class Number>(Number) { return readPixels<Number>(*file, *header); });
+    return withType(header, [&]<class Number>(Number) { return readPixels<Number>(file, header); });
   }
   return inputError(fmt::format(
       "{}: holds {}; numbers (H, W), float32, float64 or whole ones, with 1 to {} rows and columns are "
       "needed",
-      path, header->description, max_extent));
+      path, header.description, max_extent));
 }
 
 }  // namespace
@@ -201,9 +195,8 @@ Result<DensityFile> readDensity(const std::string& path, const std::optional<Box
                                            "PNG -co WORLDFILE=YES` writes it"
                                          : ""));
     }
-    auto density = extension == ".png" ? readPngDarkness(path) : readArrayDensity(path);
-    if (!density) return tl::unexpected(std::move(density.error()));
-    DensityFile read{std::move(*density)};
+    VORPIPE_VAR(density, extension == ".png" ? readPngDarkness(path) : readArrayDensity(path));
+    DensityFile read{std::move(density)};
     read.density.box = box;
     if (box) return read;
     VORPIPE_TRY(findBox(path, read));

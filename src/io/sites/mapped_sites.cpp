@@ -73,13 +73,12 @@ void* mapFile(const std::string& path, std::uint64_t bytes) {
 void MappedSites::Unmap::operator()(void* begin) const { ::munmap(begin, bytes); }
 
 Result<std::optional<MappedSites>> MappedSites::map(const std::string& path, int threads) {
-  auto file = InputFile::open(path);
-  if (!file) return tl::unexpected(std::move(file.error()));
-  if (!file->size()) return std::nullopt;
-  const std::uint64_t bytes = *file->size();
-  const auto header = readNpyHeader(*file);
+  VORPIPE_VAR(file, InputFile::open(path));
+  if (!file.size()) return std::nullopt;
+  const std::uint64_t bytes = *file.size();
+  const auto header = readNpyHeader(file);
   // A packed file has no known size by now.
-  if (!file->size()) return std::nullopt;
+  if (!file.size()) return std::nullopt;
   if (!header) return tl::unexpected(header.error());
   if (!areSites(*header)) return std::nullopt;
   const std::uint64_t count = header->shape[0];

@@ -147,15 +147,14 @@ class OutlineJson {
 
 Result<OutlineFile> readGeoJsonOutline(InputFile file) {
   JsonBytes bytes(file);
-  const auto value = parseJson<nlohmann::ordered_json>(bytes);
-  if (!value) return tl::unexpected(value.error());
-  auto system = systemOfGeoJson(*value);
+  VORPIPE_LET(value, parseJson<nlohmann::ordered_json>(bytes));
+  auto system = systemOfGeoJson(value);
   const auto wrong = [&](const std::string& problem) {
     return inputError(fmt::format("{}: {}", file.name(), problem));
   };
   if (!system) return wrong(system.error());
   OutlineFile read{{}, std::move(*system)};
-  if (const auto problem = OutlineJson(read.outline).object(*value, {})) return wrong(*problem);
+  if (const auto problem = OutlineJson(read.outline).object(value, {})) return wrong(*problem);
   return read;
 }
 
@@ -238,16 +237,14 @@ tl::expected<void, std::string> addPolygons(const FeatureLayer& layer, Outline& 
 
 /// Reads a layer of a database, which is no stream; empty: the only one of polygons.
 Result<OutlineFile> readGeoPackageOutline(const std::string& path, const std::string& name) {
-  auto layer = FeatureLayer::open(path, name, LayerOf::polygons);
-  if (!layer) return tl::unexpected(layer.error());
-  OutlineFile read{{}, layer->system()};
+  VORPIPE_VAR(layer, FeatureLayer::open(path, name, LayerOf::polygons));
+  OutlineFile read{{}, layer.system()};
   for (std::uint64_t row = 1;; ++row) {
-    const auto more = layer->next();
-    if (!more) return tl::unexpected(more.error());
-    if (!*more) return read;
-    if (const auto added = addPolygons(*layer, read.outline); !added) {
+    VORPIPE_LET(more, layer.next());
+    if (!more) return read;
+    if (const auto added = addPolygons(layer, read.outline); !added) {
       return inputError(
-          fmt::format("{}: layer {}, row {}: {}", path, printable(layer->name()), row, added.error()));
+          fmt::format("{}: layer {}, row {}: {}", path, printable(layer.name()), row, added.error()));
     }
   }
 }

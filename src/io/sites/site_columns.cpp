@@ -115,12 +115,11 @@ CoordinateKind kindOf(std::span<const std::string> names, std::size_t x, std::si
 Found chosenColumns(std::span<const std::string> names, std::span<const std::string> chosen) {
   std::vector<std::size_t> found;
   for (const std::string& text : chosen) {
-    const auto column = chosenColumn(names, text);
-    if (!column) return tl::unexpected(column.error());
-    if (std::ranges::find(found, *column) != found.end()) {
-      return problem(*column, fmt::format("column {} is chosen twice", inQuotes(names[*column])));
+    VORPIPE_LET(column, chosenColumn(names, text));
+    if (std::ranges::find(found, column) != found.end()) {
+      return problem(column, fmt::format("column {} is chosen twice", inQuotes(names[column])));
     }
-    found.push_back(*column);
+    found.push_back(column);
   }
   CsvColumns columns;
   if (found.size() == 1) {
@@ -144,11 +143,11 @@ Found chosenColumns(std::span<const std::string> names, std::span<const std::str
 
 /// Sets weight by the header.
 tl::expected<void, ColumnProblem> findWeight(std::span<const std::string> names, CsvColumns& columns) {
-  const auto weight =
-      onlyColumn(names, [](const std::string& name) { return weightNamed(name, true).has_value(); });
-  if (!weight) return tl::unexpected(weight.error());
-  columns.weight = *weight;
-  if (*weight) columns.weight_kind = *weightNamed(names[**weight], true);
+  VORPIPE_LET(weight,
+              onlyColumn(names, [](const std::string& name) { return weightNamed(name, true).has_value(); }));
+  columns.weight = weight;
+  if weight
+    columns.weight_kind = *weightNamed(names[*weight], true);
   return {};
 }
 
@@ -168,10 +167,10 @@ tl::expected<void, ColumnProblem> findPositions(std::span<const std::string> nam
     columns.kind = kindOf(names, **x, **y);
     return {};
   }
-  const auto geometry = onlyColumn(names, isGeometry);
-  if (!geometry) return tl::unexpected(geometry.error());
-  columns.geometry = *geometry;
-  if (*geometry) return {};
+  VORPIPE_LET(geometry, onlyColumn(names, isGeometry));
+  columns.geometry = geometry;
+  if geometry
+    return {};
   return problem(0,
                  fmt::format("the header {} names no column \"{}\"; the first line must name the columns, as "
                              "in \"x,y\", or --columns says which they are",

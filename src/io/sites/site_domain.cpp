@@ -271,15 +271,14 @@ Result<void> projectSites(const Request& request, const Projection& projection) 
 
 /// Projects sites and domain to the plane.
 Result<void> project(const Request& request) {
-  const auto degrees = outlineInDegrees(request);
-  if (!degrees) return tl::unexpected(degrees.error());
-  const auto projection = projectionFor(request, *degrees);
+  VORPIPE_LET(degrees, outlineInDegrees(request));
+  const auto projection = projectionFor(request, degrees);
   if (!projection) return renamed(request.words.project, projection.error());
   VORPIPE_TRY(projectSites(request, *projection));
-  if (degrees->empty()) return takeDomainOfSites(request);
-  auto whole = mendedBy([&](bool repair) { return mendedToPlane(*projection, *degrees, repair); }, request);
-  if (!whole) return tl::unexpected(std::move(whole.error()));
-  takeOutline(request.placed, std::move(*whole));
+  if (degrees.empty()) return takeDomainOfSites(request);
+  VORPIPE_VAR(whole,
+              mendedBy([&](bool repair) { return mendedToPlane(*projection, degrees, repair); }, request));
+  takeOutline(request.placed, std::move(whole));
   return {};
 }
 
@@ -326,9 +325,8 @@ Result<void> foundDomain(const Request& request) {
   }
   noteDegrees(request);
   if (!settings.outline.empty()) {
-    auto outline = mendedBy([&](bool repair) { return mended(settings.outline, repair); }, request);
-    if (!outline) return tl::unexpected(std::move(outline.error()));
-    takeOutline(placed, std::move(*outline));
+    VORPIPE_VAR(outline, mendedBy([&](bool repair) { return mended(settings.outline, repair); }, request));
+    takeOutline(placed, std::move(outline));
     if (placed.from == SitesFrom::generator)
       placed.sites = spreadOver(placed.domain, std::move(placed.sites));
     return {};

@@ -71,11 +71,10 @@ std::vector<std::string_view> sitesExtensions() {
 }
 
 Result<SiteTable> readSites(const std::string& path, const ReadOptions& options) {
-  auto file = InputFile::open(path);
-  if (!file) return tl::unexpected(file.error());
-  const std::string name = file->name();
+  VORPIPE_VAR(file, InputFile::open(path));
+  const std::string name = file.name();
   try {
-    auto table = readByExtension(path, std::move(*file), options);
+    auto table = readByExtension(path, std::move(file), options);
     if (table && table->sites.size() == 0) {
       return inputError(fmt::format("{}: holds no sites{}", name,
                                     table->skipped > 0 ? ": what a site needs is missing in every row" : ""));

@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "base/try.h"
 #include "io/base/error.h"
 #include "io/base/geometry_bytes.h"
 #include "io/base/json_parser.h"
@@ -265,9 +266,8 @@ Result<SiteTable> readGeoJsonSites(InputFile file, const ReadOptions& options) {
   GeoJsonPoints points(table);
   JsonBytes bytes(file);
   Stream stream(bytes, points);
-  const auto top = parseJson<Json>(bytes, stream);
-  if (!top) return tl::unexpected(top.error());
-  if (const auto problem = addTop(*top, stream.list(), points, table)) {
+  VORPIPE_LET(top, parseJson<Json>(bytes, stream));
+  if (const auto problem = addTop(top, stream.list(), points, table)) {
     return inputError(fmt::format("{}: {}", file.name(), *problem));
   }
   return table.finish();

@@ -27,9 +27,8 @@ class GeoPackageSites {
     VORPIPE_TRY(findColumns());
     table_.system() = layer_.system();
     for (std::uint64_t row = 1;; ++row) {
-      const auto more = layer_.next();
-      if (!more) return tl::unexpected(more.error());
-      if (!*more) return finish();
+      VORPIPE_LET(more, layer_.next());
+      if (!more) return finish();
       if (const auto problem = addRow()) {
         return inputError(
             fmt::format("{}: layer {}, row {}: {}", table_.name(), printable(layer_.name()), row, *problem));
@@ -121,9 +120,8 @@ class GeoPackageSites {
 }  // namespace
 
 Result<SiteTable> readGeoPackageSites(const std::string& path, const ReadOptions& options) {
-  auto layer = FeatureLayer::open(path, options.layer, LayerOf::points);
-  if (!layer) return tl::unexpected(layer.error());
-  return GeoPackageSites(path, std::move(*layer), options).read();
+  VORPIPE_VAR(layer, FeatureLayer::open(path, options.layer, LayerOf::points));
+  return GeoPackageSites(path, std::move(layer), options).read();
 }
 
 }  // namespace vorpipe

@@ -68,19 +68,17 @@ Result<std::vector<std::size_t>> columnsOf(const NpyHeader& header, const ReadOp
 }  // namespace
 
 Result<SiteTable> readNpySites(InputFile file, const ReadOptions& options) {
-  const auto header = readNpyHeader(file);
-  if (!header) return tl::unexpected(header.error());
-  const auto columns = columnsOf(*header, options, file.name());
-  if (!columns) return tl::unexpected(columns.error());
-  if (header->shape[0] > max_sites) {
+  VORPIPE_LET(header, readNpyHeader(file));
+  VORPIPE_LET(columns, columnsOf(header, options, file.name()));
+  if (header.shape[0] > max_sites) {
     return inputError(fmt::format("{}: holds more than {} sites", file.name(), max_sites));
   }
-  const auto what = fmt::format("{} sites", header->shape[0]);
-  const auto room = checkRoom(file.name(), what, header->shape[0] * columns->size() * sizeof(double));
+  const auto what = fmt::format("{} sites", header.shape[0]);
+  const auto room = checkRoom(file.name(), what, header.shape[0] * columns.size() * sizeof(double));
   if (!room) return tl::unexpected(room.error());
   SiteTable table;
-  VORPIPE_TRY(readElements(file, *header, *columns, table.sites));
-  if (options.columns.empty() && columns->size() == site_numbers.size()) {
+  VORPIPE_TRY(readElements(file, header, columns, table.sites));
+  if (options.columns.empty() && columns.size() == site_numbers.size()) {
     table.notes.push_back(fmt::format("{}: {}", file.name(), third_is_weight));
   }
   return table;

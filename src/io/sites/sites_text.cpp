@@ -57,16 +57,15 @@ class TextSites {
 
   Result<SiteTable> read() {
     while (true) {
-      const auto line = lines_.next();
-      if (!line) return tl::unexpected(line.error());
-      if (!*line) return table_.finish();
-      if (const auto column = split(**line, fields_)) {
+      VORPIPE_LET(line, lines_.next());
+      if (!line) return table_.finish();
+      if (const auto column = split(*line, fields_)) {
         return lines_.errorAt(*column,
                               "the row has commas and blanks between its fields, so that nothing tells which "
                               "commas are decimal; keep one of them, and write 1.5, not 1,5");
       }
       if (fields_.empty()) continue;
-      VORPIPE_TRY(readRow(**line));
+      VORPIPE_TRY(readRow(*line));
     }
   }
 
@@ -108,9 +107,8 @@ class TextSites {
       for (std::size_t k = 0; k < count_; ++k) columns_.push_back(k);
       return {};
     }
-    auto columns = numberedColumns(options_.columns, count_, lines_.name());
-    if (!columns) return tl::unexpected(std::move(columns.error()));
-    columns_ = std::move(*columns);
+    VORPIPE_VAR(columns, numberedColumns(options_.columns, count_, lines_.name()));
+    columns_ = std::move(columns);
     // Columns left out by number need no note.
     for (std::size_t k = 0; k < count_ && options_.attributes; ++k) {
       if (std::ranges::find(columns_, k) != columns_.end()) continue;

@@ -11,6 +11,7 @@
 #include <random>
 #include <utility>
 
+#include "base/try.h"
 #include "io/base/error.h"
 #include "io/base/extension.h"
 #include "io/base/input_file.h"
@@ -50,14 +51,13 @@ Result<std::vector<double>> readLines(InputFile file, std::uint64_t count, const
   std::vector<double> values;
   bool first = true;
   while (true) {
-    const auto line = lines.next();
-    if (!line) return tl::unexpected(line.error());
-    if (!*line && values.size() < count) {
+    VORPIPE_LET(line, lines.next());
+    if (!line && values.size() < count) {
       return lines.errorAt(1, fmt::format("the file ends after {} {}, there are {}", values.size(), kind.many,
                                           sitesText(count)));
     }
-    if (!*line) return values;
-    const std::string_view text = trimmed((*line)->substr(0, (*line)->find('#')));
+    if (!line) return values;
+    const std::string_view text = trimmed(line->substr(0, line->find('#')));
     if (text.empty()) continue;
     if (std::exchange(first, false) && kind.header(text)) continue;
     if (values.size() == count) {
@@ -65,27 +65,26 @@ Result<std::vector<double>> readLines(InputFile file, std::uint64_t count, const
     }
     const auto value = parseNumber(text).and_then([&](double number) { return kind.value(number, text); });
     if (!value) {
-      return lines.errorAt(static_cast<std::size_t>(text.data() - (*line)->data()) + 1, value.error());
+      return lines.errorAt(static_cast<std::size_t>(text.data() - line->data()) + 1, value.error());
     }
     values.push_back(*value);
   }
 }
 
 Result<std::vector<double>> readNumpy(InputFile file, std::uint64_t count, const NumbersKind& kind) {
-  const auto header = readNpyHeader(file);
-  if (!header) return tl::unexpected(header.error());
-  const auto& shape = header->shape;
+  VORPIPE_LET(header, readNpyHeader(file));
+  const auto& shape = header.shape;
   const bool one_column = shape.size() == 1 || (shape.size() == 2 && shape[1] == 1);
-  if (!areNumbers(*header) || !one_column) {
+  if (!areNumbers(header) || !one_column) {
     return inputError(fmt::format("{}: holds {}; numbers (N,), float32, float64 or whole ones, are needed",
-                                  file.name(), header->description));
+                                  file.name(), header.description));
   }
   if (shape[0] != count) {
     return inputError(
         fmt::format("{}: holds {} {}, there are {}", file.name(), shape[0], kind.many, sitesText(count)));
   }
   std::vector<double> values(count);
-  const auto read = eachNumber(file, *header, count, [&](std::uint64_t index, auto element) -> Result<void> {
+  const auto read = eachNumber(file, header, count, [&](std::uint64_t index, auto element) -> Result<void> {
     const auto number = static_cast<double>(element);
     if (!std::isfinite(number)) {
       return inputError(fmt::format("{}: element [{}] (counted from 0) is {}, not a finite number",
@@ -106,11 +105,10 @@ Result<std::vector<double>> readSiteNumbers(const std::string& path, std::uint64
                                             const NumbersKind& kind) {
   const std::string extension = inputExtension(path);
   if (!isNumbersFile(extension)) return unknownKind(path, kind.many);
-  auto file = InputFile::open(path);
-  if (!file) return tl::unexpected(file.error());
+  VORPIPE_VAR(file, InputFile::open(path));
   try {
-    return extension == ".npy" ? readNumpy(std::move(*file), count, kind)
-                               : readLines(std::move(*file), count, kind);
+    return extension == ".npy" ? readNumpy(std::move(file), count, kind)
+                               : readLines(std::move(file), count, kind);
   } catch (const std::bad_alloc&) {
     return deviceError(fmt::format("{}: there is not enough memory for its {}", path, kind.many));
   }

@@ -12,6 +12,7 @@
 #include "backend/vulkan/handle.h"
 #include "backend/vulkan/target.h"
 #include "backend/vulkan/triangle_pipeline.h"
+#include "base/try.h"
 #include "shaders.h"
 
 namespace vorpipe::view {
@@ -103,11 +104,9 @@ Result<void> write(const vulkan::Device& device, const std::vector<T>& values, v
 }  // namespace
 
 Result<VulkanCanvas> VulkanCanvas::create(const vulkan::Device& device) {
-  auto picture = vulkan::Bindings::create(device, bindings, 0);
-  if (!picture) return tl::unexpected(std::move(picture).error());
-  auto panel = vulkan::Bindings::create(device, bindings, 0);
-  if (!panel) return tl::unexpected(std::move(panel).error());
-  VulkanCanvas created(std::move(*picture), std::move(*panel));
+  VORPIPE_VAR(picture, vulkan::Bindings::create(device, bindings, 0));
+  VORPIPE_VAR(panel, vulkan::Bindings::create(device, bindings, 0));
+  VulkanCanvas created(std::move(picture), std::move(panel));
   VORPIPE_TRY(store(vulkan::createRenderPass(device, canvas_formats), created.pass_));
   VORPIPE_TRY(store(createSampler(device), created.sampler_));
   // Both sets of bindings have the same layout.

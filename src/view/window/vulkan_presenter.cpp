@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "backend/vulkan/error.h"
+#include "base/try.h"
 #include "view/window/vulkan_canvas.h"
 #include "view/window/vulkan_window.h"
 #include "view/window/window_parts.h"
@@ -60,21 +61,21 @@ class VulkanPresenter final : public Presenter {
     if (width <= 0 || height <= 0) return {};
     VORPIPE_TRY(canvas_.prepare(window_.device, frame, width, height));
     for (int tries = 0; tries < most_tries; ++tries) {
-      const auto image = swapchain_.acquire(window_, width, height);
-      if (!image) return tl::unexpected(image.error());
-      const vulkan::Semaphores semaphores = *image ? (*image)->semaphores : vulkan::Semaphores{};
+      VORPIPE_LET(image, swapchain_.acquire(window_, width, height));
+      const vulkan::Semaphores semaphores = image ? image->semaphores : vulkan::Semaphores{};
       VORPIPE_TRY(window_.device.run(
           [&](VkCommandBuffer commands) {
             canvas_.record(window_.device.api(), commands);
-            if (*image) recordCopy(window_.device.api(), commands, canvas_, **image);
+            if image
+              recordCopy(window_.device.api(), commands, canvas_, *image);
           },
           semaphores));
       canvas_.recorded();
       // A hidden window gets an event to show it when it reappears.
-      if (!*image) return {};
-      const auto shown = swapchain_.present(window_, **image);
-      if (!shown) return tl::unexpected(shown.error());
-      if (*shown) return {};
+      if (!image) return {};
+      VORPIPE_LET(shown, swapchain_.present(window_, *image));
+      if shown
+        return {};
     }
     // The new size will arrive as an event, followed by the next frame.
     return {};
@@ -96,13 +97,10 @@ class VulkanPresenter final : public Presenter {
 
 Result<std::unique_ptr<Presenter>> makeVulkanPresenter(const Glfw& glfw, GLFWwindow* window,
                                                        const std::string& device, bool validation) {
-  auto shows = VulkanWindow::open(glfw, window, device, validation);
-  if (!shows) return tl::unexpected(std::move(shows).error());
-  auto swapchain = Swapchain::create(*shows);
-  if (!swapchain) return tl::unexpected(std::move(swapchain).error());
-  auto canvas = VulkanCanvas::create(shows->device);
-  if (!canvas) return tl::unexpected(std::move(canvas).error());
-  return std::make_unique<VulkanPresenter>(std::move(*shows), std::move(*swapchain), std::move(*canvas));
+  VORPIPE_VAR(shows, VulkanWindow::open(glfw, window, device, validation));
+  VORPIPE_VAR(swapchain, Swapchain::create(shows));
+  VORPIPE_VAR(canvas, VulkanCanvas::create(shows.device));
+  return std::make_unique<VulkanPresenter>(std::move(shows), std::move(swapchain), std::move(canvas));
 }
 
 }  // namespace vorpipe::view

@@ -132,28 +132,21 @@ Result<VulkanWindow> VulkanWindow::open(const Glfw& glfw, GLFWwindow* window, co
     if (!instance) return tl::unexpected(std::move(instance).error());
     return vulkan::deviceError("Vulkan cannot show anything on this display: " + glfw.lastError());
   }
-  auto instance = vulkan::Instance::open(validation, std::span(needed, count));
-  if (!instance) return tl::unexpected(std::move(instance).error());
-  auto surface = VulkanSurface::create(glfw, window, *instance);
-  if (!surface) return tl::unexpected(std::move(surface).error());
-  const auto devices = devicesFor(*instance, *surface);
-  if (!devices) return tl::unexpected(devices.error());
-  auto physical = vulkan::choose(*devices, device);
-  if (!physical) return tl::unexpected(std::move(physical).error());
+  VORPIPE_VAR(instance, vulkan::Instance::open(validation, std::span(needed, count)));
+  VORPIPE_VAR(surface, VulkanSurface::create(glfw, window, instance));
+  VORPIPE_LET(devices, devicesFor(instance, surface));
+  VORPIPE_VAR(physical, vulkan::choose(devices, device));
   constexpr std::array extensions = {VK_KHR_SWAPCHAIN_EXTENSION_NAME};
-  auto opened = vulkan::Device::open(*physical, extensions);
-  if (!opened) return tl::unexpected(std::move(opened).error());
-  return VulkanWindow{std::move(*instance), std::move(*surface), std::move(*physical), std::move(*opened)};
+  VORPIPE_VAR(opened, vulkan::Device::open(physical, extensions));
+  return VulkanWindow{std::move(instance), std::move(surface), std::move(physical), std::move(opened)};
 }
 
 Result<Swapchain> Swapchain::create(const VulkanWindow& window) {
   Swapchain created;
-  const auto format = chooseFormat(window);
-  if (!format) return tl::unexpected(format.error());
-  created.format_ = *format;
-  auto acquired = createSemaphore(window.device);
-  if (!acquired) return tl::unexpected(std::move(acquired).error());
-  created.acquired_ = std::move(*acquired);
+  VORPIPE_LET(format, chooseFormat(window));
+  created.format_ = format;
+  VORPIPE_VAR(acquired, createSemaphore(window.device));
+  created.acquired_ = std::move(acquired);
   return created;
 }
 
@@ -185,10 +178,9 @@ Result<void> Swapchain::recreate(const VulkanWindow& window, VkExtent2D asked) {
   info.presentMode = VK_PRESENT_MODE_FIFO_KHR;
   info.clipped = VK_TRUE;
   info.oldSwapchain = old.get();
-  auto swapchain = vulkan::create(device.handle(), device.api().vkCreateSwapchainKHR,
-                                  device.api().vkDestroySwapchainKHR, info, "vkCreateSwapchainKHR");
-  if (!swapchain) return tl::unexpected(std::move(swapchain).error());
-  swapchain_ = std::move(*swapchain);
+  VORPIPE_VAR(swapchain, vulkan::create(device.handle(), device.api().vkCreateSwapchainKHR,
+                                        device.api().vkDestroySwapchainKHR, info, "vkCreateSwapchainKHR"));
+  swapchain_ = std::move(swapchain);
   VORPIPE_TRY(takeImages(window));
   outdated_ = false;
   return {};
@@ -204,9 +196,8 @@ Result<void> Swapchain::takeImages(const VulkanWindow& window) {
       check(device.api().vkGetSwapchainImagesKHR(device.handle(), swapchain_.get(), &count, images_.data()),
             "vkGetSwapchainImagesKHR"));
   for (std::uint32_t index = 0; index < count; ++index) {
-    auto semaphore = createSemaphore(device);
-    if (!semaphore) return tl::unexpected(std::move(semaphore).error());
-    filled_.push_back(std::move(*semaphore));
+    VORPIPE_VAR(semaphore, createSemaphore(device));
+    filled_.push_back(std::move(semaphore));
   }
   return {};
 }

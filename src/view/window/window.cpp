@@ -7,6 +7,7 @@
 #include <utility>
 #include <variant>
 
+#include "base/try.h"
 #include "view/window/window_parts.h"
 
 namespace vorpipe::view {
@@ -73,19 +74,17 @@ Window::~Window() = default;
 Result<Window> Window::open(const WindowOptions& options) {
   Window opened;
   State& state = *opened.state_;
-  auto glfw = Glfw::start();
-  if (!glfw) return tl::unexpected(std::move(glfw).error());
-  state.glfw = std::move(*glfw);
+  VORPIPE_VAR(glfw, Glfw::start());
+  state.glfw = std::move(glfw);
   state.input.glfw = state.glfw.get();
-  const auto window = createWindow(*state.glfw, options);
-  if (!window) return tl::unexpected(window.error());
-  state.window = *window;
+  VORPIPE_LET(window, createWindow(*state.glfw, options));
+  state.window = window;
   listen(state.window, state.input);
-  auto presenter = options.api == WindowApi::vulkan
-                       ? makeVulkanPresenter(*state.glfw, state.window, options.device, options.validation)
-                       : makeOpenglPresenter(*state.glfw, state.window);
-  if (!presenter) return tl::unexpected(std::move(presenter).error());
-  state.presenter = std::move(*presenter);
+  VORPIPE_VAR(presenter,
+              options.api == WindowApi::vulkan
+                  ? makeVulkanPresenter(*state.glfw, state.window, options.device, options.validation)
+                  : makeOpenglPresenter(*state.glfw, state.window));
+  state.presenter = std::move(presenter);
   return opened;
 }
 
