@@ -137,7 +137,7 @@ class Reconciliation {
       auto tied = resolveTies(proposed, suspect_, fineness_, disputes, records_);
       if (!tied) return tied;
       VORPIPE_LET(done, repair(proposed, *tied));
-      if done {
+      if (done) {
         recordTiedCells(proposed, *tied, records_);
         return tied;
       }

@@ -140,12 +140,12 @@ Result<void> SitesRun::load(const PlanRun& plan) {
   VORPIPE_VAR(read, densityOf(command.density));
   density = std::move(read);
   VORPIPE_LET(sampled, sampledCount(source.sites));
-  if sampled {
+  if (sampled) {
     VORPIPE_TRY(makeGenerator(source, *sampled, density.density));
   }
   VORPIPE_VAR(loaded, CommandRun::load(source, plan));
   VORPIPE_TRY(placeUnder(density, command.density, source, loaded));
-  if sampled {
+  if (sampled) {
     auto sites = drawnFrom(density.density, loaded.domain, loaded.outline, *sampled, source.seed);
     if (!sites) return asOption(std::move(sites.error()), source);
     loaded.sites.x = std::move(sites->x);

@@ -168,7 +168,7 @@ class Mending {
     for (std::size_t p = 0; p + 1 < outline_.polygon_offsets.size(); ++p) {
       GeosGeometry polygon = polygonOf(geos_, outline_, p);
       VORPIPE_LET(fault, faultOf(geos_, polygon.get(), words_.place));
-      if fault {
+      if (fault) {
         if (!repair_) {
           return refuseOutline(
               fmt::format("{}; rings must not cross themselves or each other, and holes must lie "

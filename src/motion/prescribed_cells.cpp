@@ -321,7 +321,7 @@ Result<TransportEnd> PrescribedCells::State::iterate(Sites& sites) {
     if (!mayMeasure()) return TransportEnd::diagrams;
     const double tried = length;
     VORPIPE_LET(stepped, search(sites, newton, enough, length));
-    if stepped {
+    if (stepped) {
       // After a halving, doubling would only be undone at once.
       if (length == tried) length = std::min(1.0, 2 * length);
       continue;

@@ -1,4 +1,5 @@
-/// Text of CSV, JSON and GeoJSON. The JSON library's writer, which takes long to compile, stays in the source.
+/// Text of CSV, JSON and GeoJSON. The JSON library's writer, which takes long to compile, stays in the
+/// source.
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>

@@ -146,8 +146,7 @@ tl::expected<void, ColumnProblem> findWeight(std::span<const std::string> names,
   VORPIPE_LET(weight,
               onlyColumn(names, [](const std::string& name) { return weightNamed(name, true).has_value(); }));
   columns.weight = weight;
-  if weight
-    columns.weight_kind = *weightNamed(names[*weight], true);
+  if (weight) columns.weight_kind = *weightNamed(names[*weight], true);
   return {};
 }
 
@@ -169,8 +168,7 @@ tl::expected<void, ColumnProblem> findPositions(std::span<const std::string> nam
   }
   VORPIPE_LET(geometry, onlyColumn(names, isGeometry));
   columns.geometry = geometry;
-  if geometry
-    return {};
+  if (geometry) return {};
   return problem(0,
                  fmt::format("the header {} names no column \"{}\"; the first line must name the columns, as "
                              "in \"x,y\", or --columns says which they are",

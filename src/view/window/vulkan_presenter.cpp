@@ -66,16 +66,14 @@ class VulkanPresenter final : public Presenter {
       VORPIPE_TRY(window_.device.run(
           [&](VkCommandBuffer commands) {
             canvas_.record(window_.device.api(), commands);
-            if image
-              recordCopy(window_.device.api(), commands, canvas_, *image);
+            if (image) recordCopy(window_.device.api(), commands, canvas_, *image);
           },
           semaphores));
       canvas_.recorded();
       // A hidden window gets an event to show it when it reappears.
       if (!image) return {};
       VORPIPE_LET(shown, swapchain_.present(window_, *image));
-      if shown
-        return {};
+      if (shown) return {};
     }
     // The new size will arrive as an event, followed by the next frame.
     return {};
