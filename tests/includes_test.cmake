@@ -69,7 +69,7 @@ set(users
     "^io/base/"
     "^io/base/read_log\\.cpp$"
     "^base/geos\\.h$"
-    "^(domain/(geos_outline|hull|mended|repaired|validity)|io/cells/cells_mesh)\\."
+    "^(domain/(geos_outline|hull|mended)|io/cells/cells_mesh)\\."
     "^domain/"
     "^cli/options/command_line\\.cpp$"
     "^base/parallel\\.cpp$"

@@ -17,7 +17,7 @@ namespace {
 
 using Array = MemoryPlan::Array;
 
-constexpr std::uint64_t million = 1'000'000, word = 4, number = 8, point = 16;
+constexpr std::uint64_t million = 1'000'000, word_size = 4, number_size = 8, point_size = 16;
 
 /// Memory of a backend, in bytes. Of a device, it counts only where it is the host's memory. Drivers are
 /// measured with Mesa 22.3.6 and LLVM 15; newer ones, as 25.0.7 with LLVM 19, need 17 MB more.
@@ -63,10 +63,12 @@ std::uint64_t peakOfCells(const Workload& work, Detail detail) {
 
 /// Bytes per site of a Diagram.
 std::uint64_t bytesOfCells(Detail detail, bool measured_by_density) {
-  constexpr std::uint64_t measures = point + 2 * number + 1 + word + mean_edges * number;
-  constexpr std::uint64_t polygons = mean_edges * (point + number) + 4 * number, triangles = 2 * 3 * word;
+  constexpr std::uint64_t measures = point_size + 2 * number_size + 1 + word_size + mean_edges * number_size;
+  constexpr std::uint64_t polygons = mean_edges * (point_size + number_size) + 4 * number_size,
+                          triangles = 2 * 3 * word_size;
   return measures + (detail == Detail::measures ? 0 : polygons) +
-         (detail == Detail::everything ? triangles : 0) + (measured_by_density ? number + point : 0);
+         (detail == Detail::everything ? triangles : 0) +
+         (measured_by_density ? number_size + point_size : 0);
 }
 
 std::uint64_t imagePixels(const RenderOptions& options) {
@@ -83,10 +85,10 @@ void planViews(MemoryPlan& plan, const Workload& work, const RenderOptions& opti
     height = std::min(height, static_cast<std::uint64_t>(rowsAtOnce(options.width, options.antialias)));
     width *= in_pixel;
     height *= in_pixel;
-    plan.take("samples of pixels", width * height * 2 * word);
+    plan.take("samples of pixels", width * height * 2 * word_size);
   }
   const auto view = std::min(width, memory.largest_view) * std::min(height, memory.largest_view);
-  plan.take("a view of the picture", view * 2 * word);
+  plan.take("a view of the picture", view * 2 * word_size);
   if (work.device_on_host) plan.take("the picture on the device", view * memory.pixel);
 }
 
@@ -103,7 +105,7 @@ void planMarks(MemoryPlan& plan, const Workload& work, const RenderOptions& opti
 
 /// A table of sites between half and quarter full, and a tree over them.
 std::uint64_t checkBytes(const Workload& work) {
-  return (std::bit_ceil(2 * work.sites + 1) + 2 * work.sites) * word;
+  return (std::bit_ceil(2 * work.sites + 1) + 2 * work.sites) * word_size;
 }
 
 }  // namespace
@@ -182,7 +184,7 @@ Array planPicture(MemoryPlan& plan, const Workload& work, const RenderOptions& o
   // The picture's sites, and what the search keeps for it.
   constexpr std::uint64_t known_site = 150, searched_site = 205;
   plan.take("the search for cells", allSites(work) * (known ? known_site : searched_site));
-  plan.take("colors and statuses", allSites(work) * (number + 2 * word));
+  plan.take("colors and statuses", allSites(work) * (number_size + 2 * word_size));
   plan.take("the search for cells", heapOf(work));
   planMarks(plan, work, options);
   if (work.device_on_host) {
@@ -192,21 +194,22 @@ Array planPicture(MemoryPlan& plan, const Workload& work, const RenderOptions& o
     plan.take("the driver", (devices - 1) * memory.further_device);
   }
   planViews(plan, work, options);
-  const auto image = plan.take("the picture", imagePixels(options) * 2 * word + work.sites * (word + 1));
+  const auto image =
+      plan.take("the picture", imagePixels(options) * 2 * word_size + work.sites * (word_size + 1));
   plan.dropSince(start, {image});
   return image;
 }
 
 void planCellsCheck(MemoryPlan& plan, const Workload& work, Detail detail) {
-  constexpr std::uint64_t tree = 2 * word + number, sides = 2 * 3 * 4 * word + word;
-  constexpr std::uint64_t most_sampled = 10'000, nearest_of_corner = 4 * point;
+  constexpr std::uint64_t tree = 2 * word_size + number_size, sides = 2 * 3 * 4 * word_size + word_size;
+  constexpr std::uint64_t most_sampled = 10'000, nearest_of_corner = 4 * point_size;
   const auto sampled = std::min(work.sites, most_sampled) * (mean_edges + 1) * nearest_of_corner;
-  const auto by_site = tree + mean_edges * word + (detail == Detail::everything ? sides : 0);
+  const auto by_site = tree + mean_edges * word_size + (detail == Detail::everything ? sides : 0);
   plan.drop(plan.take("the check", checkBytes(work) + work.sites * by_site + sampled));
 }
 
 void planPictureCheck(MemoryPlan& plan, const Workload& work, const RenderOptions& options) {
-  constexpr std::uint64_t tree = 2 * word + number, compared = word + 1;
+  constexpr std::uint64_t tree = 2 * word_size + number_size, compared = word_size + 1;
   plan.drop(plan.take("the check", checkBytes(work) + work.sites * tree + imagePixels(options) * compared));
 }
 
