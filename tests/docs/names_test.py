@@ -1,9 +1,10 @@
 #!/usr/bin/env python3
 """Whether what the documents name is there: names_test.py
 
-Links lead to files and headings. Decisions are numbered once, and the table of them lists all; comments in the code
-name numbers that exist. What stands in backticks in NAMING pages, files and names of the code, is in the tree;
-architecture.md has all modules, in the order of the build; hacking.md names functions with their files. CITATION.cff has the version that is built.
+Links lead to files and headings. Numbers of decisions are unique and ascend in each topic, with gaps, and the
+table lists all; comments in the code name numbers that exist. What stands in backticks in NAMING pages, files and
+names of the code, is in the tree; architecture.md has all modules, in the order of the build; hacking.md names
+functions with their files. CITATION.cff has the version that is built.
 """
 import pathlib
 import re
@@ -67,12 +68,21 @@ def check_links(fault):
 def check_decisions(fault, files):
     page = ROOT / 'docs/decisions.md'
     text = page.read_text()
-    numbers = re.findall(r'^### D(\d+)\. ', text, flags=re.M)
-    if sorted(map(int, numbers)) != list(range(1, len(numbers) + 1)):
-        fault(page, 1, 'the numbers of decisions are not 1, 2, 3 and so on, each once')
-    for number, title in re.findall(r'^### D(\d+)\. (.*)$', text, flags=re.M):
-        if f'- [D{number}](#d{number}) {title}\n' not in text or f'<a id="d{number}"></a>\n### D{number}.' not in text:
-            fault(page, 1, f'D{number}: its line in the table, or its anchor, is missing or has another title')
+    heading = r'^### <a id="d(\d+)"></a>D(\d+)\. (.*)$'
+    for topic in text.split('\n## ')[1:]:
+        found = [int(number) for _, number, _ in re.findall(heading, topic, flags=re.M)]
+        if found != sorted(found):
+            fault(page, 1, f'the numbers of decisions do not ascend in "{topic.splitlines()[0]}"')
+    decisions = re.findall(heading, text, flags=re.M)
+    numbers = [number for _, number, _ in decisions]
+    listed = re.findall(r'^- \[D(\d+)\]\(#d(\d+)\) (.*)$', text, flags=re.M)
+    if len(set(numbers)) != len(numbers) or len(numbers) != len(re.findall('^### ', text, flags=re.M)):
+        fault(page, 1, 'a number is used twice, or a heading has no number or anchor')
+    if decisions != listed:
+        fault(page, 1, 'the table does not list the decisions in their order, by number, anchor and title')
+    for anchor, number, _ in decisions:
+        if anchor != number:
+            fault(page, 1, f'the anchor of D{number} is d{anchor}')
     for file in files:
         if file.suffix in ('.h', '.cpp', '.glsl', '.comp', '.geom', '.vert', '.frag'):
             for number, line in enumerate(file.read_text().splitlines(), 1):
