@@ -66,7 +66,7 @@ done
 measures 65 "cpu, a picture by area" render --backend cpu --sites random:$n --color area -o out/picture.png
 measures 65 "cpu, a picture with weights" render --backend cpu --sites random:20000 --random-weights 0,1e-6 -o out/picture.png
 measures 55 "cpu, a picture with lines" render --backend cpu --sites random:$n --edges --antialias 2 -o out/picture.png
-measures 55 "cpu, a picture, checked" render --backend cpu --sites random:$n --check -o out/picture.png
+measures 50 "cpu, a picture, checked" render --backend cpu --sites random:$n --check -o out/picture.png
 measures 40 "cpu, a large picture" render --backend cpu --sites random:1500000 -o out/picture.png
 measures 55 "compare" compare --backends cpu,vulkan-compute --sites random:$n --size 500x500
 # After steps: as large as a picture is in its domain.
@@ -81,7 +81,7 @@ measures 65 "cpu, frames" fluid --backend cpu --case shear --particles 3000 --st
 for pattern in square clusters circle; do
   measures 65 "cpu, $pattern, measures" cells --backend cpu --sites $pattern:$n
   measures 65 "cpu, $pattern, everything" cells --backend cpu --sites $pattern:$n -o out/cells.npz
-  measures 55 "cpu, $pattern, a picture" render --backend cpu --sites $pattern:60000 -o out/picture.png
+  measures 50 "cpu, $pattern, a picture" render --backend cpu --sites $pattern:60000 -o out/picture.png
 done
 rm out/cells.*
 
