@@ -3,7 +3,7 @@
 
 #include <memory>
 
-#include "backend/backend.h"
+#include "backend/site_set.h"
 #include "cells/bisectors.h"
 
 namespace vorpipe::core {

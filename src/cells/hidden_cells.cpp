@@ -34,8 +34,6 @@ double crossOf(const HalfPlane& a, const HalfPlane& b) { return a.x * b.y - a.y 
 double crossSize(const HalfPlane& a, const HalfPlane& b) { return std::abs(a.x * b.y) + std::abs(a.y * b.x); }
 Expansion<16> crossOf(const ExactHalfPlane& a, const ExactHalfPlane& b) { return a.x * b.y - a.y * b.x; }
 
-double outward(std::int32_t wall) { return wall == wall_xmax || wall == wall_ymax ? 1 : -1; }
-
 /// The remainder of a cell: the lines of its edges, counter-clockwise, which determine all else. Its area and
 /// the length of every edge are positive.
 class Remainder {

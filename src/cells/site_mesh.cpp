@@ -293,8 +293,6 @@ class MeshCellFinder {
   static int sign(double larger, double smaller) {
     return larger > smaller ? 1 : (larger < smaller ? -1 : 0);
   }
-  static int outward(std::int32_t wall) { return wall == wall_xmax || wall == wall_ymax ? 1 : -1; }
-
   static constexpr std::uint8_t all_walls = 15;
 
   const SiteSet& sites_;

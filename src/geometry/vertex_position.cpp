@@ -164,8 +164,7 @@ EdgeSpan edgeSpan(const SiteSet& sites, std::int32_t cell, std::int32_t before, 
       (std::abs(way.x) + std::abs(way.y));
   const double rounding = relative_rounding * std::min(reach, farthest_rounded);
   if (neighbor < 0) {
-    const double outward = neighbor == wall_xmax || neighbor == wall_ymax ? 1 : -1;
-    const double along = outward * (isVerticalWall(neighbor) ? way.y : -way.x);
+    const double along = outward(neighbor) * (isVerticalWall(neighbor) ? way.y : -way.x);
     return {along - rounding, 2 * rounding, 2 * rounding, false};
   }
   const Point other = siteAt(sites, neighbor);

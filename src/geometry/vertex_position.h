@@ -6,7 +6,7 @@
 #include <span>
 #include <vector>
 
-#include "backend/backend.h"
+#include "backend/site_set.h"
 #include "backend/tie.h"
 #include "geometry/predicates.h"
 #include "vorpipe.h"
@@ -31,6 +31,9 @@ inline Point wayBetween(const AnchoredPoint& a, const AnchoredPoint& b) {
 }
 
 bool isVerticalWall(std::int32_t wall);
+
+/// Returns the direction out of the domain along the wall's axis: 1 or -1.
+inline int outward(std::int32_t wall) { return wall == wall_xmax || wall == wall_ymax ? 1 : -1; }
 
 /// The x of a vertical wall, the y of a horizontal one.
 double wallCoordinate(const Box& domain, std::int32_t wall);

@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "backend/backend.h"
+#include "backend/site_set.h"
 
 namespace vorpipe::core {
 

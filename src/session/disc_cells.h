@@ -57,12 +57,9 @@ class Discs {
  private:
   [[nodiscard]] EdgeLine wallLine(std::size_t cell, std::int32_t wall) const {
     const double at = wallCoordinate(set_.domain, wall);
-    if (isVerticalWall(wall)) {
-      const double outwards = wall == wall_xmax ? 1 : -1;
-      return {{outwards, 0}, outwards * (at - set_.x[cell])};
-    }
-    const double outwards = wall == wall_ymax ? 1 : -1;
-    return {{0, outwards}, outwards * (at - set_.y[cell])};
+    const double out = outward(wall);
+    if (isVerticalWall(wall)) return {{out, 0}, out * (at - set_.x[cell])};
+    return {{0, out}, out * (at - set_.y[cell])};
   }
 
   const SiteSet& set_;

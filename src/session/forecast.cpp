@@ -34,7 +34,7 @@ constexpr BackendMemory backends[]{
     {"cpu", 22 * million, 0, 0, 0, 0, 0, 8192, 0},
     {"vulkan-compute", 117 * million, 25, 45, 75 * million, 8, 16, 4096, 0},
     {"vulkan-geometry", 127 * million, 30, 55, 50 * million, 20, 24, 4096, 5 * million},
-    {"opengl", 155 * million, 65, 65, 50 * million, 8, 16, 4096, 0}};
+    {"opengl", 175 * million, 65, 65, 50 * million, 8, 16, 4096, 0}};
 /// Drivers that were looked through remain in memory.
 constexpr std::uint64_t looked_through = 74 * million;
 

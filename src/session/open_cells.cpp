@@ -11,17 +11,13 @@
 
 #include "base/refusal.h"
 #include "base/try.h"
+#include "cells/neighbor_rows.h"
 #include "session/tiles.h"
 
 namespace vorpipe::core {
 namespace {
 
 using Numbers = std::vector<std::uint32_t>;
-
-void sortUnique(Numbers& numbers) {
-  std::ranges::sort(numbers);
-  numbers.erase(std::unique(numbers.begin(), numbers.end()), numbers.end());
-}
 
 void append(Numbers& to, std::span<const std::uint32_t> from) {
   to.insert(to.end(), from.begin(), from.end());
@@ -107,13 +103,13 @@ Result<void> settleOpenCells(
     const SiteCells& cells, OpenCells open, std::uint64_t most, int threads, const FindPart& find,
     const std::function<Result<void>(const PartSites& part, const PartCells& found,
                                      std::span<const std::uint32_t> which)>& settled) {
-  sortUnique(open.sites);
+  sortWithoutRepeats(open.sites);
   Numbers own = std::move(open.sites), others = std::move(open.around);
   // If corners tie with many sites, as on a circle, the number at a corner grows.
   for (std::size_t at_corner = 1; !own.empty(); at_corner *= 4) {
     Numbers all = others;
     append(all, own);
-    sortUnique(all);
+    sortWithoutRepeats(all);
     if (all.size() > most) {
       return tl::unexpected(refusal(
           Subject::sites, fmt::format("the cells of {} of them reach so far that they take {} sites at "
@@ -128,7 +124,7 @@ Result<void> settleOpenCells(
     // Sites of earlier rounds stay: a site that ties with a corner need not be a neighbor.
     append(others, left.around);
     append(others, left.nearer);
-    sortUnique(others);
+    sortWithoutRepeats(others);
   }
   return {};
 }

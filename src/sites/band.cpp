@@ -6,7 +6,7 @@
 #include <nanoflann.hpp>
 #include <numeric>
 
-#include "backend/backend.h"
+#include "backend/site_set.h"
 #include "base/parallel.h"
 
 namespace vorpipe::core {

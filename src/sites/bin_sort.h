@@ -1,7 +1,7 @@
 /// From sites in the caller's order to unique sites in the order of their bins.
 #pragma once
 
-#include "backend/backend.h"
+#include "backend/site_set.h"
 
 namespace vorpipe::core {
 

@@ -6,7 +6,7 @@
 #include <limits>
 #include <utility>
 
-#include "backend/backend.h"
+#include "backend/site_set.h"
 #include "base/inside.h"
 
 namespace vorpipe::core {

@@ -3,6 +3,7 @@
 
 #include <functional>
 
+#include "backend/backend.h"
 #include "sites/grid.h"
 
 namespace vorpipe::core {

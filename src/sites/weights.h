@@ -1,7 +1,7 @@
 /// The weights of a SiteSet, from those of the caller, and the largest of bins and blocks: Grid::heaviest.
 #pragma once
 
-#include "backend/backend.h"
+#include "backend/site_set.h"
 #include "sites/grid.h"
 
 namespace vorpipe::core {

@@ -94,7 +94,6 @@ std::vector<std::string> FluidTargets::paths() const {
   std::vector<std::string> paths;
   for (const Points& target : points) paths.push_back(target.path);
   for (const CellsTarget& target : cells) paths.push_back(target.path);
-  if (!stats.empty()) paths.push_back(stats);
   return paths;
 }
 

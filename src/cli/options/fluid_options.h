@@ -36,7 +36,6 @@ struct FluidTargets {
   };
   std::vector<Points> points;
   std::vector<CellsTarget> cells;
-  std::string stats;                     ///< a file written at the end
   std::string checkpoint, trace;         ///< files written during the run
   std::string frames, series;            ///< a film or a folder; a folder
   std::optional<view::FlowColor> color;  ///< of frames

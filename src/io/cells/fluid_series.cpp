@@ -187,7 +187,7 @@ Result<std::vector<SeriesStep>> readSeries(const std::string& path) {
   }
   if (is_good && left.empty()) return steps;
   const auto lines = std::count(text.begin(), text.end() - static_cast<std::ptrdiff_t>(left.size()), '\n');
-  return inputError(fmt::format("{}:{}: is not as a series of `vorpipe fluid` has it", path, lines + 1));
+  return inputError(fmt::format("{}:{}: expected a line as in a series of `vorpipe fluid`", path, lines + 1));
 }
 
 }  // namespace vorpipe
