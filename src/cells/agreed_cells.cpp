@@ -304,6 +304,11 @@ Result<Diagram> boxDiagramOn(const Machine& machine, SiteRun& run, const Sites& 
   const int threads = machine.threads;
   const SiteSet& set = run.prepared.set;
   VORPIPE_VAR(agreed, agreeOnCells(machine, run, sites, options, {}, diagram.report));
+  // Only triangles need the cells at each vertex.
+  if (options.detail != Detail::everything) {
+    std::vector<std::uint32_t>().swap(agreed.tied.around);
+    std::vector<std::uint32_t>().swap(agreed.tied.around_offsets);
+  }
   takeRecords(agreed.records, options.detail, threads, diagram);
   BigVector<CellRecord>().swap(agreed.records);  // assigning an empty one would keep the memory
   if (diagram.report.empty > 0) keepSitesWithoutCells(sites, threads, diagram);

@@ -63,23 +63,22 @@ class VertexBuilder {
 
   bool isRoot(std::uint64_t corner) { return sets_.root(static_cast<std::uint32_t>(corner)) == corner; }
 
-  /// Lists the cells at each vertex, ascending.
+  /// Lists the cells at each vertex. Each offset begins at its list's end, and counts down to its beginning.
   void gather() {
     const auto vertices = tied_.position.size();
     auto& first = tied_.around_offsets;
     first.assign(vertices + 1, 0);
     forTiedCells(tied_, proposed_.threads, [&](std::size_t k) {
       for (auto c = tied_.offsets[k]; c < tied_.offsets[k + 1]; ++c) {
-        std::atomic_ref(first[tied_.vertex[c] + std::size_t{1}]).fetch_add(1, std::memory_order_relaxed);
+        std::atomic_ref(first[tied_.vertex[c]]).fetch_add(1, std::memory_order_relaxed);
       }
     });
     for (std::size_t v = 0; v < vertices; ++v) first[v + 1] += first[v];
     tied_.around.resize(tied_.vertex.size());
-    auto next = first;
     forTiedCells(tied_, proposed_.threads, [&](std::size_t k) {
       for (auto c = tied_.offsets[k]; c < tied_.offsets[k + 1]; ++c) {
-        const auto at = std::atomic_ref(next[tied_.vertex[c]]).fetch_add(1, std::memory_order_relaxed);
-        tied_.around[at] = tied_.cell[k];
+        const auto end = std::atomic_ref(first[tied_.vertex[c]]).fetch_sub(1, std::memory_order_relaxed);
+        tied_.around[end - 1] = tied_.cell[k];
       }
     });
   }

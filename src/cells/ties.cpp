@@ -309,6 +309,10 @@ std::size_t nextMarked(std::span<const std::uint8_t> suspect, std::size_t begin)
 Result<TiedCells> resolveTies(const ProposedCells& proposed, std::span<const std::uint8_t> suspect,
                               const Fineness& fineness, Disputes disputes, const Records& records) {
   TiedCells tied;
+  // In a lattice all cells are tied: lists that grow by doubling would take half as much again.
+  const auto count = static_cast<std::size_t>(std::ranges::count(suspect, 1));
+  tied.cell.reserve(count);
+  tied.offsets.reserve(count + 1);
   tied.offsets.push_back(0);
   for (std::size_t cell = nextMarked(suspect, 0); cell < suspect.size();
        cell = nextMarked(suspect, cell + 1)) {
