@@ -49,7 +49,7 @@ enum class Disputes : std::uint8_t { are_listed, are_ties };
 /// it depends on the cells that meet there, not on which ties between them were proposed.
 ///
 /// An edge whose two ends ties join is a tie as well, and so are all edges of cells that ties enclose; see
-/// collapsed_edges.h. The caller makes ties finer where many of them make a vertex wide. A cell is unsure,
+/// tied_vertices.h. The caller makes ties finer where many of them make a vertex wide. A cell is unsure,
 /// but not disputed, if: cells differ about the ends of an edge at a wall, where even edges far shorter than
 /// ties count; cells differ about those of an edge that is about as long as a tie, or shorter than rounding;
 /// a tie is long relative to the cell; or a vertex is wide.

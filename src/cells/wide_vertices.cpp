@@ -19,7 +19,7 @@ constexpr std::uint32_t fewest_ties = 6, fewest_with_images = 4;
 /// relative to the cell's reach: more cells nearly meet in a point, and ties with far sites are long.
 constexpr double wide = 8e-6, wide_with_weights = 8e-5, nearly = 0.5;
 /// In a periodic domain a vertex may have four copies, and in each, ties may join different corners. The
-/// copies become one (seam.h), up to seven times as far from a corner as each copy alone.
+/// copies become one (domain/seam.cpp), up to seven times as far from a corner as each copy alone.
 constexpr double part_with_images = 0.125;
 
 class VertexWidths {

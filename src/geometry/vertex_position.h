@@ -96,7 +96,7 @@ inline bool isFarFromATie(double dx, double dy, double ex, double ey) {
 /// The edge of `cell` to `neighbor`, a site or a wall, from `begin`, where the edge to `before` ends, to
 /// `end`, where the edge to `after` begins. `shortest` is the longest tie relative to the sites' distance, or
 /// to the domain's shorter side: shortest_edge, or less where ties in a row would make a vertex wide
-/// (wide_vertices.h).
+/// (cells/wide_vertices.cpp).
 EdgeSpan edgeSpan(const SiteSet& sites, std::int32_t cell, std::int32_t before, std::int32_t neighbor,
                   std::int32_t after, const AnchoredPoint& begin, const AnchoredPoint& end,
                   double shortest = shortest_edge);

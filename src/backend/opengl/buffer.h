@@ -14,7 +14,7 @@ class Buffer {
   Buffer(GLenum target, GLenum usage);
   Buffer(Buffer&&) = default;
 
-  /// Makes room for that many bytes; what it held is lost if it has to grow. Leaves it bound.
+  /// Makes the buffer at least `bytes` large; its contents are lost if it grows. Leaves it bound.
   void reserve(std::size_t bytes);
 
   /// Replaces its contents. The device must be done with the previous contents. Leaves it bound.

@@ -18,8 +18,8 @@ class Cells {
   Cells() : feedback_(GL_POINTS) {}
 
   /// Clips the entries or sites that were sent, `count` of them, and replaces out. Lists of lines are clipped
-  /// with the most room. Requires a complete framebuffer and a view to be bound, and leaves both unchanged.
-  /// Errors (device): out of memory; the device failed; the driver refuses the shaders.
+  /// with the capacity EDGES_MOST. Requires a complete framebuffer and a view to be bound, and leaves both
+  /// unchanged. Errors (device): out of memory; the device failed; the driver refuses the shaders.
   Result<void> run(Entries entries, Effort effort, std::size_t count, CellNeighbors& out);
 
  private:

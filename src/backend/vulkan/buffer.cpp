@@ -63,7 +63,7 @@ Result<void> Buffer::reserve(const Device& device, std::size_t bytes, std::size_
   drop();
   Result<void> allocated = allocateBytes(device, grown);
   if (!allocated && allocated.error().out_of_memory && grown > bytes && bytes > 0) {
-    // Room to grow is optional.
+    // Memory beyond what was asked for is optional.
     drop();
     allocated = allocateBytes(device, bytes);
     if (allocated) size_ = bytes;

@@ -29,7 +29,7 @@ class Pipelines {
   /// Clips and draws, within targetPass().
   Result<VkPipeline> draw(const Device& device, VkPipelineLayout layout, Entries entries, Effort effort);
   /// Clips and writes neighbors, within emptyPass(). It reads one mark, whose contents do not matter, and
-  /// lists are clipped with the most room.
+  /// lists are clipped with the capacity EDGES_MOST.
   Result<VkPipeline> edges(const Device& device, VkPipelineLayout layout, Entries entries, Effort effort);
 
   [[nodiscard]] VkRenderPass targetPass() const { return target_pass_.get(); }
