@@ -51,14 +51,14 @@ std::uint64_t allSites(const Workload& work) { return work.sites + work.images; 
 
 /// Memory that searches leave in the heap, in all.
 std::uint64_t heapOf(const Workload& work) {
-  return std::min<std::uint64_t>(10 * million, 256 * allSites(work));
+  return std::min<std::uint64_t>(10 * million, 400 * allSites(work));
 }
 
 /// Bytes per site or image at the peak of Session::cells, besides a device.
 std::uint64_t peakOfCells(const Workload& work, Detail detail) {
   if (work.periodic) return work.outlined ? 700 : work.weighted ? 560 : 535;
   if (work.outlined) return detail == Detail::everything ? 660 : 635;
-  constexpr std::uint64_t measures = 295, polygons = 400, everything = 495;
+  constexpr std::uint64_t measures = 290, polygons = 400, everything = 495;
   return detail == Detail::everything ? everything : detail == Detail::polygons ? polygons : measures;
 }
 
@@ -171,7 +171,7 @@ Array planCells(MemoryPlan& plan, const Workload& work, Detail detail) {
     plan.take("sites on the device", allSites(work) * (work.weighted ? memory.weighted_site : memory.site));
   }
   const bool massive = work.density_pixels > 0;
-  if (massive) plan.take("masses", work.sites * 30);
+  if (massive) plan.take("masses", work.sites * 22);
   plan.take("the search for cells", allSites(work) * peakOfCells(work, detail));
   plan.dropSince(start);
   return plan.take("cells", work.sites * bytesOfCells(detail, massive));
@@ -183,7 +183,7 @@ Array planPicture(MemoryPlan& plan, const Workload& work, const RenderOptions& o
   const auto start = plan.next();
   if (known || marksNeedCells(options)) plan.drop(planCells(plan, work, marksDetail(options)));
   // The picture's sites, and what the search keeps for it.
-  constexpr std::uint64_t known_site = 240, searched_site = 190;
+  constexpr std::uint64_t known_site = 200, searched_site = 190;
   plan.take("the search for cells", allSites(work) * (known ? known_site : searched_site));
   plan.take("colors and statuses", allSites(work) * (number_size + 2 * word_size));
   plan.take("the search for cells", heapOf(work));
