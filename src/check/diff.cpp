@@ -323,7 +323,7 @@ Result<IdDiff> diffIds(Ids a, Ids b, const Sites& sites, const RenderOptions& op
                                      options.periodic == Periodic::x ? 0 : high.y - low.y}));
 }
 
-ImageDiff diffImages(Ids a, Ids b, int width, int height) {
+ImageDiff diffImages(Ids a, Ids b, int width, int height, int tolerated) {
   const PixelGrid grid{width, height};
   assert(a.size() == grid.size() && b.size() == grid.size());
   ImageDiff diff;
@@ -333,8 +333,15 @@ ImageDiff diffImages(Ids a, Ids b, int width, int height) {
     for (int column = 0; column < width; ++column) {
       const std::size_t pixel = grid.at(row, column);
       if (a[pixel] == b[pixel]) continue;
+      const int difference = channelDifference(a[pixel], b[pixel]);
+      diff.largest = std::max(diff.largest, difference);
+      if (difference <= tolerated) {
+        diff.pixels[pixel] = PixelMatch::tie;
+        ++diff.close;
+        continue;
+      }
       diff.pixels[pixel] = PixelMatch::wrong;
-      diff.largest = std::max(diff.largest, channelDifference(a[pixel], b[pixel]));
+      if (diff.first.size() < places_kept) diff.first.push_back({row, column, a[pixel], b[pixel]});
       if (diff.different++ == 0) {
         diff.first_row = diff.top = row;
         diff.first_column = column;

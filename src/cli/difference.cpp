@@ -47,6 +47,19 @@ Json placeJson(const IdDifference& place) {
           {"distance_px", std::isfinite(place.distance) ? Json(place.distance) : Json(nullptr)}};
 }
 
+Json colorJson(std::uint32_t rgba) { return {rgba & 0xFF, rgba >> 8 & 0xFF, rgba >> 16 & 0xFF, rgba >> 24}; }
+
+Json placeJson(const ColorDifference& place) {
+  return {{"row", place.row}, {"column", place.column}, {"a", colorJson(place.a)}, {"b", colorJson(place.b)}};
+}
+
+template <class Place>
+Json placesJson(const std::vector<Place>& places) {
+  Json all = Json::array();
+  for (const Place& place : places) all.push_back(placeJson(place));
+  return all;
+}
+
 }  // namespace
 
 Picture grayOfIds(std::span<const std::uint32_t> ids, int width, int height) {
@@ -101,15 +114,24 @@ std::string disagreementText(const IdDiff& diff) {
 }
 
 Json diffJson(const IdDiff& diff) {
-  Json first = Json::array();
-  for (const IdDifference& place : diff.first) first.push_back(placeJson(place));
   return {{"equal", diff.equal},
           {"ties", diff.ties},
           {"ties_allowed", diff.ties_allowed},
           {"widest_tie_px", diff.widest_tie},
           {"wrong", diff.wrong},
-          {"first", std::move(first)},
+          {"first", placesJson(diff.first)},
           {"worst", diff.wrong > 0 ? placeJson(diff.worst) : Json(nullptr)}};
+}
+
+Json diffJson(const ImageDiff& diff) {
+  const bool any = diff.different > 0;
+  return {{"equal", diff.pixels.size() - diff.close - diff.different},
+          {"close", diff.close},
+          {"wrong", diff.different},
+          {"largest_difference", diff.largest},
+          {"rows", any ? Json({diff.top, diff.bottom}) : Json(nullptr)},
+          {"columns", any ? Json({diff.left, diff.right}) : Json(nullptr)},
+          {"first", placesJson(diff.first)}};
 }
 
 }  // namespace vorpipe::cli

@@ -23,8 +23,8 @@ Picture grayOfIds(std::span<const std::uint32_t> ids, int width, int height);
 /// Returns the dimmed brightness of a picture.
 Picture grayOfColors(std::span<const std::uint32_t> rgba, int width, int height);
 
-/// Paints wrong pixels red and ties yellow; in large pictures as squares, so that single ones are visible. A
-/// tie never covers a wrong pixel.
+/// Paints wrong pixels red, and ties and close ones yellow; in large pictures as squares, so that single ones
+/// are visible. A tie never covers a wrong pixel.
 void markDifferences(Picture& picture, std::span<const PixelMatch> pixels);
 
 /// Copies `from` into `to` with its top left corner at (row, column), where it must fit.
@@ -36,6 +36,8 @@ std::string placeText(const IdDifference& place);
 /// Describes a disagreement in one line: the count and the first place.
 std::string disagreementText(const IdDiff& diff);
 
+/// What was found, with the first places that differ.
 nlohmann::ordered_json diffJson(const IdDiff& diff);
+nlohmann::ordered_json diffJson(const ImageDiff& diff);
 
 }  // namespace vorpipe::cli

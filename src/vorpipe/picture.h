@@ -202,18 +202,27 @@ Result<IdDiff> diffIds(std::span<const std::uint32_t> a, std::span<const std::ui
 Result<IdDiff> diffIds(std::span<const std::uint32_t> a, std::span<const std::uint32_t> b, const Sites& sites,
                        const RenderOptions& options);
 
-/// Where and how much two pictures differ; rows and columns are inclusive and only set when different > 0.
-struct ImageDiff {
-  std::uint64_t different = 0;  ///< pixels
-  int largest = 0;              ///< largest difference of a channel, 0 to 255
-  int first_row = 0, first_column = 0;
-  int top = 0, left = 0, bottom = 0, right = 0;  ///< box of the differing pixels
-  std::vector<PixelMatch> pixels;                ///< equal or wrong
+/// One pixel that has different colors in two pictures.
+struct ColorDifference {
+  int row = 0, column = 0;
+  std::uint32_t a = 0, b = 0;  ///< as in Image::rgba
 };
 
-/// Compares two pictures of width x height RGBA pixels, laid out as Image::rgba.
+/// Where and how much two pictures differ; rows and columns are inclusive and only set when different > 0.
+struct ImageDiff {
+  std::uint64_t different = 0;  ///< pixels that differ by more than is tolerated
+  std::uint64_t close = 0;      ///< pixels that differ, by what is tolerated or less
+  int largest = 0;              ///< largest difference of a channel in any pixel, 0 to 255
+  int first_row = 0, first_column = 0;
+  int top = 0, left = 0, bottom = 0, right = 0;  ///< box of the differing pixels
+  std::vector<ColorDifference> first;            ///< the first 10 differing pixels in reading order
+  std::vector<PixelMatch> pixels;                ///< `tie` where they are close
+};
+
+/// Compares two pictures of width x height RGBA pixels, laid out as Image::rgba. Pixels of which no channel
+/// differs by more than `tolerated`, 0 to 255, are close.
 ImageDiff diffImages(std::span<const std::uint32_t> a, std::span<const std::uint32_t> b, int width,
-                     int height);
+                     int height, int tolerated = 0);
 
 /// The same as the other check(), for a picture: statuses and owners, no uncovered pixel, and the nearest
 /// site of each pixel in double (of 4 million sampled pixels in larger pictures).

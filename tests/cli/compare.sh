@@ -28,6 +28,58 @@ name="picture of differences"
 cases=$((cases + 1))
 run 1 diff out/a.npy in/mutant.npy -o out/where.png
 [ -s out/where.png ] || fail "no picture"
+
+# -- What a test of images asks --------------------------------------------------------------------------
+fails 1 "more pixels than are allowed" "1 pixels wrong (0 ties, 5399 equal), first at row 7, column 11: sites" diff out/a.npy in/mutant.npy --sites random:300
+succeeds "as many pixels as are allowed" diff out/a.npy in/mutant.npy --sites random:300 --max-pixels 1 --json out/d.json
+expect "5399 pixels equal, 0 ties, 1 wrong; --max-pixels allows 1"
+if "$python" -c 'import PIL' 2>/dev/null; then
+  "$python" - <<'END' || fail "no pictures with changes"
+from PIL import Image
+image = Image.open('out/a.png').convert('RGB')
+for column, row, by in [(0, 3, 2), (1, 3, 2), (40, 50, 60)]:
+    r, g, b = image.getpixel((column, row))
+    image.putpixel((column, row), (r, g + by if g < 128 else g - by, b))
+image.save('in/near.png')
+END
+  fails 1 "all changed pixels" "3 pixels differ, by at most 60 of 255, first at row 3, column 0" diff out/a.png in/near.png
+  name="a report beside a difference" cases=$((cases + 1))
+  run 1 diff out/a.png in/near.png --max-difference 2 --json out/near.json -o out/near.png
+  mentions "1 pixels differ, by at most 60 of 255, first at row 50, column 40"
+  "$python" - <<'END' || fail "out/near.json or its picture"
+import json
+from PIL import Image
+report = json.load(open('out/near.json'))
+a, b = Image.open('out/a.png').convert('RGBA'), Image.open('in/near.png').convert('RGBA')
+assert (report['command'], report['kind'], report['agree']) == ('diff', 'pictures', False), report
+assert report['b'] == {'file': 'in/near.png', 'size': [90, 60]} and report['difference'], report
+assert (report['equal'], report['close'], report['wrong'], report['largest_difference']) == (5397, 2, 1, 60), report
+assert (report['max_pixels'], report['max_difference']) == (0, 2), report
+assert report['rows'] == [50, 50] and report['columns'] == [40, 40], report
+assert report['first'] == [{'row': 50, 'column': 40, 'a': list(a.getpixel((40, 50))),
+                            'b': list(b.getpixel((40, 50)))}], report
+marked = Image.open('out/near.png').convert('RGB')
+assert marked.getpixel((40, 50)) == (255, 0, 0) and marked.getpixel((1, 3)) == (255, 255, 0)
+ids = json.load(open('out/d.json'))
+assert ids['agree'] is True and ids['difference'] is None and ids['wrong'] == ids['max_pixels'] == 1, ids
+assert ids['first'][0]['row'] == 7 and ids['first'][0]['column'] == 11 and ids['sites'] == 'random:300', ids
+END
+  succeeds "pixels that are close enough" diff out/a.png in/near.png --max-difference 60
+  expect "5397 pixels equal, 3 within 60 of 255"
+  succeeds "close enough, or few" diff out/a.png in/near.png --max-difference 2 --max-pixels 1 --json -
+  grep -q 'pixels equal' log/out && fail "not the report alone is on standard output"
+  "$python" -c 'import json, sys; assert json.load(sys.stdin)["agree"] is True' <log/out || fail "no report"
+  fails 1 "one level below what they differ by" "1 pixels differ" diff out/a.png in/near.png --max-difference 59
+else
+  skipped "pictures with changes" "there is no PIL"
+fi
+name="a report of sizes that differ" cases=$((cases + 1))
+run 1 diff out/a.png out/d.png --json out/sizes.json
+grep -q '"difference": "the sizes differ"' out/sizes.json || fail "out/sizes.json does not say so"
+fails 2 "channels of ids" "--max-difference: ids have no channels" diff out/a.npy out/b.npy --max-difference 1 --json out/old.json
+fails 2 "more than a channel has" "--max-difference" diff out/a.png out/b.png --max-difference 256
+fails 2 "no number of pixels" "--max-pixels" diff out/a.png out/b.png --max-pixels -1
+fails 2 "a report in place of an input" "is an input of this run" diff out/a.png out/b.png --json out/a.png
 succeeds "compare" compare --backends "${backends// /,}" --sites random:300 --size 90x60 --report out/r.json -o out/m.png
 expect "cpu / vulkan-geometry"
 expect "vulkan-geometry / opengl"

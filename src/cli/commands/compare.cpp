@@ -192,7 +192,7 @@ void addCompare(CommandLine& line) {
   addSearchOptions(options, command->search);
   addRunOptions(options, command->backend, command->memory_limit);
   options.group("Output");
-  addAnyFile(options, "--report", command->report, {".json"}, "what was found, in JSON");
+  addReport(options, "--report", command->report, "what was found, in JSON");
   addFile(options, "-o", command->png, ".png",
           "the pictures side by side, and below each pair's differences");
   addStats(options, command->stats);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <memory>
+#include <nlohmann/json.hpp>
 
 #include "base/try.h"
 #include "cli/commands/command.h"
@@ -16,6 +17,7 @@
 #include "cli/run.h"
 #include "io/base/error.h"
 #include "io/base/extension.h"
+#include "io/base/field_text.h"
 #include "io/base/read_log.h"
 #include "io/pictures/npy_ids.h"
 #include "io/pictures/png_file.h"
@@ -23,8 +25,14 @@
 namespace vorpipe::cli {
 namespace {
 
+using Json = nlohmann::ordered_json;
+
+constexpr int largest_channel = 255;
+
 struct DiffCommand {
-  std::string a, b, png;
+  std::string a, b, png, json;
+  std::uint64_t max_pixels = 0;
+  std::optional<int> max_difference;
   InputOptions input;
   std::optional<Fit> fit;
   std::optional<Box> view;
@@ -35,6 +43,7 @@ struct DiffCommand {
 struct DiffOutcome {
   std::string agreement, difference;
   Picture picture;
+  Json found = Json::object();
 };
 
 bool namesIds(const std::string& path) { return lowerExtension(path) == ".npy"; }
@@ -71,11 +80,21 @@ Result<IdDiff> idDiff(const DiffCommand& command, const Image& a, const Image& b
   return diff ? diff : asOption(std::move(diff.error()), command.input);
 }
 
+/// Says how many differences are allowed, if any are.
+std::string allowedText(const DiffCommand& command) {
+  if (command.max_pixels == 0) return {};
+  return fmt::format("; --max-pixels allows {}", command.max_pixels);
+}
+
 Result<DiffOutcome> compareIds(const DiffCommand& command, const Image& a, const Image& b) {
   VORPIPE_LET(diff, idDiff(command, a, b));
   DiffOutcome outcome;
-  outcome.agreement = fmt::format("{} pixels equal, {} ties, {} wrong", diff.equal, diff.ties, diff.wrong);
-  if (!diff.agree()) outcome.difference = disagreementText(diff);
+  outcome.found = diffJson(diff);
+  outcome.agreement = fmt::format("{} pixels equal, {} ties, {} wrong{}", diff.equal, diff.ties, diff.wrong,
+                                  allowedText(command));
+  if (diff.wrong > command.max_pixels || diff.ties > diff.ties_allowed) {
+    outcome.difference = disagreementText(diff) + allowedText(command);
+  }
   if (!command.png.empty()) {
     outcome.picture = grayOfIds(a.ids, a.width, a.height);
     markDifferences(outcome.picture, diff.pixels);
@@ -87,17 +106,28 @@ Result<DiffOutcome> compareIds(const DiffCommand& command, const Image& a, const
   return outcome;
 }
 
+/// Counts the pixels of two pictures, as far as the options tell them apart.
+std::string countsText(const DiffCommand& command, const ImageDiff& diff) {
+  std::string text = fmt::format("{} pixels equal", diff.pixels.size() - diff.close - diff.different);
+  if (command.max_difference) {
+    text += fmt::format(", {} within {} of 255", diff.close, *command.max_difference);
+  }
+  if (command.max_pixels > 0) text += fmt::format(", {} differ", diff.different);
+  return text + allowedText(command);
+}
+
 DiffOutcome compareColors(const DiffCommand& command, const Image& a, const Image& b) {
-  const ImageDiff diff = diffImages(a.rgba, b.rgba, a.width, a.height);
+  const ImageDiff diff = diffImages(a.rgba, b.rgba, a.width, a.height, command.max_difference.value_or(0));
   DiffOutcome outcome;
-  outcome.agreement = fmt::format("{} pixels equal", a.rgba.size() - diff.different);
-  if (diff.different > 0) {
+  outcome.found = diffJson(diff);
+  outcome.agreement = countsText(command, diff);
+  if (diff.different > command.max_pixels) {
     outcome.difference = fmt::format(
         "{} pixels differ, by at most {} of 255, first at row {}, column {}, all in rows {} to {} and "
-        "columns {} to {}; to tell ties from faults, render both with --ids, as a.npy and b.npy, then "
+        "columns {} to {}{}; to tell ties from faults, render both with --ids, as a.npy and b.npy, then "
         "vorpipe diff a.npy b.npy --sites and what else they were rendered with",
         diff.different, diff.largest, diff.first_row, diff.first_column, diff.top, diff.bottom, diff.left,
-        diff.right);
+        diff.right, allowedText(command));
   }
   if (!command.png.empty()) {
     outcome.picture = grayOfColors(a.rgba, a.width, a.height);
@@ -106,16 +136,45 @@ DiffOutcome compareColors(const DiffCommand& command, const Image& a, const Imag
   return outcome;
 }
 
-Result<void> writePicture(const std::string& path, const Picture& picture) {
-  VORPIPE_VAR(files, createFiles(std::array{path}));
-  const Writer writer = [&](ByteSink& to) {
-    return writePng(to, picture.width, picture.height, picture.rgba);
+/// Returns the report: what was compared, what was found, and the verdict.
+Json reportOf(const DiffCommand& command, const Image& a, const Image& b, const DiffOutcome& outcome) {
+  const auto file = [](const std::string& path, const Image& image) {
+    return Json{{"file", path}, {"size", {image.width, image.height}}};
   };
-  return writeOutputs(files, std::array{writer});
+  const bool ids = namesIds(command.a);
+  Json json = {{"version", version()},
+               {"command", "diff"},
+               {"kind", ids ? "ids" : "pictures"},
+               {"a", file(command.a, a)},
+               {"b", file(command.b, b)},
+               {"sites", command.input.sites.empty() ? Json(nullptr) : Json(command.input.sites)},
+               {"max_pixels", command.max_pixels}};
+  if (!ids) json["max_difference"] = command.max_difference.value_or(0);
+  json.update(outcome.found);
+  json["agree"] = outcome.difference.empty();
+  json["difference"] = outcome.difference.empty() ? Json(nullptr) : Json(outcome.difference);
+  return json;
 }
 
-Result<ExitCode> diff(const DiffCommand& command) {
-  const ReadLog reads(ReadLog::Notes::names);
+/// Writes the files that the command names; there is no picture of two sizes.
+Result<void> writeFiles(const DiffCommand& command, const Json& report, const Picture& picture) {
+  std::vector<std::string> paths;
+  std::vector<Writer> writers;
+  if (!command.json.empty()) {
+    paths.push_back(command.json);
+    writers.emplace_back([&](ByteSink& to) { return to.write(jsonText(report, 2)); });
+  }
+  if (!command.png.empty() && !picture.rgba.empty()) {
+    paths.push_back(command.png);
+    writers.emplace_back(
+        [&](ByteSink& to) { return writePng(to, picture.width, picture.height, picture.rgba); });
+  }
+  VORPIPE_VAR(files, createFiles(paths));
+  return writeOutputs(files, writers);
+}
+
+/// Rejects files that cannot be compared, or not with these options.
+Result<void> checkKinds(const DiffCommand& command) {
   const bool ids = namesIds(command.a);
   if (ids != namesIds(command.b)) {
     return inputError(
@@ -124,22 +183,45 @@ Result<ExitCode> diff(const DiffCommand& command) {
   if (!ids && !command.input.sites.empty()) {
     return inputError("--sites: tells ties only in .npy id arrays, not in pictures");
   }
+  if (ids && command.max_difference) {
+    return inputError("--max-difference: ids have no channels; a number of pixels is --max-pixels");
+  }
+  return {};
+}
+
+Result<DiffOutcome> compare(const DiffCommand& command, const Image& a, const Image& b) {
+  if (a.width != b.width || a.height != b.height) {
+    DiffOutcome outcome;
+    outcome.difference = "the sizes differ";
+    return outcome;
+  }
+  if (namesIds(command.a)) return compareIds(command, a, b);
+  return compareColors(command, a, b);
+}
+
+/// Says on standard error how the two differ.
+void printDifference(const DiffCommand& command, const Image& a, const Image& b, const DiffOutcome& outcome) {
+  if (a.width == b.width && a.height == b.height) {
+    printError(fmt::format("{} and {} differ: {}", command.a, command.b, outcome.difference));
+  } else {
+    printError(fmt::format("{} is {}x{}, {} is {}x{}: {}", command.a, a.width, a.height, command.b, b.width,
+                           b.height, outcome.difference));
+  }
+}
+
+Result<ExitCode> diff(const DiffCommand& command) {
+  const ReadLog reads(ReadLog::Notes::names);
+  VORPIPE_TRY(checkKinds(command));
+  const bool ids = namesIds(command.a);
   VORPIPE_LET(a, ids ? readNpyIds(command.a) : readPng(command.a));
   VORPIPE_LET(b, ids ? readNpyIds(command.b) : readPng(command.b));
-  if (a.width != b.width || a.height != b.height) {
-    printError(fmt::format("{} is {}x{}, {} is {}x{}: the sizes differ", command.a, a.width, a.height,
-                           command.b, b.width, b.height));
-    return exit_different;
-  }
-  VORPIPE_LET(outcome, ids ? compareIds(command, a, b) : compareColors(command, a, b));
-  if (!command.png.empty()) {
-    VORPIPE_TRY(writePicture(command.png, outcome.picture));
-  }
+  VORPIPE_LET(outcome, compare(command, a, b));
+  VORPIPE_TRY(writeFiles(command, reportOf(command, a, b, outcome), outcome.picture));
   if (!outcome.difference.empty()) {
-    printError(fmt::format("{} and {} differ: {}", command.a, command.b, outcome.difference));
+    printDifference(command, a, b, outcome);
     return exit_different;
   }
-  printSummary(command.talk, std::array{command.png},
+  printSummary(command.talk, std::array{command.png, command.json},
                fmt::format("{} and {}: {}\n", command.a, command.b, outcome.agreement));
   return exit_done;
 }
@@ -153,8 +235,22 @@ void addDiff(CommandLine& line) {
   const Choices compared{{}, {".npy", ".png"}};
   options.addText("A", command->a, "FILE", "one id array or picture", compared).required();
   options.addText("B", command->b, "FILE", "another of the same kind", compared).required();
+  options.group("Comparison");
+  addParsed(options, "--max-pixels", command->max_pixels, "N",
+            "exit code 0 where at most N pixels differ: ids by more than ties, pictures by more than "
+            "--max-difference [0]",
+            [](std::string_view text) { return parseWhole(text, 0, UINT64_MAX); });
+  addParsed(options, "--max-difference", command->max_difference, "N",
+            "of pictures: pixels are equal where no channel differs by more than N of 255 [0]",
+            [](std::string_view text) -> Parsed<int> {
+              VORPIPE_LET(largest, parseWhole(text, 0, largest_channel));
+              return static_cast<int>(largest);
+            });
   options.group("Output");
-  addFile(options, "-o", command->png, ".png", "a picture of where they differ: red is wrong, yellow a tie");
+  addFile(options, "-o", command->png, ".png",
+          "a picture of where they differ: red is wrong, yellow a tie or within --max-difference");
+  addReport(options, "--json", command->json,
+            "what was compared, how many pixels differ, the first of them and the verdict, in JSON");
   const Option sites = addInputOptions(options, command->input);
   addFitOption(options, command->fit).needs(sites);
   addViewOption(options, command->view).needs(sites);

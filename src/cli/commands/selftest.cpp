@@ -312,8 +312,8 @@ void addSelftest(CommandLine& line) {
   addThreads(options, wanted.threads);
   addMaskOptions(options, wanted.mask);
   options.group("Output");
-  addAnyFile(options, "--json", command->json, {".json"},
-             "everything that was found, with each scene: what a bug report wants");
+  addReport(options, "--json", command->json,
+            "everything that was found, with each scene: what a bug report wants");
   addTalkOptions(options, command->talk, wanted.waiting);
 }
 

@@ -6,14 +6,12 @@
 #include <vector>
 
 #include "cli/options/command_line.h"
+#include "cli/options/parse.h"
 #include "io/cells/cells_file.h"
 #include "io/cells/edges_file.h"
 #include "vorpipe.h"
 
 namespace vorpipe::cli {
-
-/// The path of standard output, which `-` stands for.
-inline constexpr std::string_view standard_output = "/dev/stdout";
 
 struct CellsTarget {
   std::string path;

@@ -170,6 +170,15 @@ Option addAnyFile(Options& options, const std::string& name, std::string& target
                    [](std::string_view text) { return parseFile(text, ""); }, {{}, std::move(usual)});
 }
 
+Option addReport(Options& options, const std::string& name, std::string& target,
+                 const std::string& description) {
+  const auto parse = [](std::string_view text) {
+    return text == "-" ? Parsed<std::string>(standard_output) : parseFile(text, "");
+  };
+  return addParsed(options, name, target, "FILE", description + "; - is standard output", parse,
+                   {{}, {".json"}});
+}
+
 Choices sitesChoices() {
   Choices choices{{}, strings(sitesExtensions())};
   for (const std::string_view pattern : patternNames()) choices.words.push_back(fmt::format("{}:", pattern));

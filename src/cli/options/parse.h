@@ -16,6 +16,9 @@ namespace vorpipe::cli {
 template <class T>
 using Parsed = tl::expected<T, std::string>;
 
+/// The path of standard output, which `-` stands for.
+inline constexpr std::string_view standard_output = "/dev/stdout";
+
 /// A whole number from low to high.
 Parsed<std::uint64_t> parseWhole(std::string_view text, std::uint64_t low, std::uint64_t high);
 

@@ -14,8 +14,6 @@
 namespace vorpipe::cli {
 namespace {
 
-constexpr std::string_view standard_output = "-";
-
 /// Parses a file and its format; that of `usual` if the name has no extension (/dev/stdout).
 template <class File, class FormatOf>
 Parsed<File> parseAs(std::string_view text, const FormatOf& format_of, const std::string& usual) {
@@ -26,7 +24,7 @@ Parsed<File> parseAs(std::string_view text, const FormatOf& format_of, const std
 }
 
 Parsed<PictureFile> parsePicture(std::string_view text) {
-  if (text == standard_output) return PictureFile{std::string(text), nullptr};
+  if (text == "-") return PictureFile{std::string(standard_output), nullptr};
   return parseAs<PictureFile>(text, pictureFormatOf, "x.png");
 }
 
@@ -69,7 +67,7 @@ Result<void> nameStandardOutput(PictureFiles& files, const std::string& kind) {
       return inputError(fmt::format("--format: {} is no kind of picture; known are {}", kind,
                                     fmt::join(pictureExtensions(), ", ")));
     }
-    file = {"/dev/stdout", *format};
+    file.format = *format;
   }
   return {};
 }

@@ -190,6 +190,21 @@ TEST(DiffImages, countsWhereAndHowMuch) {
   EXPECT_EQ(diffImages(a, a, picture_width, picture_height).different, 0u);
 }
 
+TEST(DiffImages, pixelsWithinTheToleranceAreClose) {
+  std::vector<std::uint32_t> a(at(picture_height, 0), 0xFF102030u), b = a;
+  b[at(10, 20)] = 0xFF102033u;
+  b[at(30, 5)] = 0xFF142030u;
+  const ImageDiff diff = diffImages(a, b, picture_width, picture_height, 3);
+  EXPECT_EQ(diff.close, 1u);
+  EXPECT_EQ(diff.different, 1u);
+  EXPECT_EQ(diff.largest, 4);
+  EXPECT_EQ(diff.first_row, 30);
+  ASSERT_EQ(diff.first.size(), 1u);
+  EXPECT_EQ(diff.first.front().b, 0xFF142030u);
+  EXPECT_EQ(diff.pixels[at(10, 20)], PixelMatch::tie);
+  EXPECT_EQ(diff.pixels[at(30, 5)], PixelMatch::wrong);
+}
+
 class DiffCells : public ::testing::Test {
  protected:
   static const Diagram& rightCells() {
