@@ -1,4 +1,4 @@
-/// vorpipe: Voronoi diagrams of sites in the plane, on any GPU or without one.
+/// vorpipe: Voronoi (Thiessen, Dirichlet) and power (Laguerre, radical) diagrams of sites in the plane.
 ///
 /// The public interface: plain data and functions. Nothing here prints, exits or throws on bad
 /// input; a function that can fail returns Result. Coordinates are the caller's own units.

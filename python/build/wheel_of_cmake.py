@@ -86,7 +86,7 @@ def metadata():
     """The project's table of pyproject.toml in the form of METADATA and PKG-INFO."""
     table = project()
     lines = ['Metadata-Version: 2.1', f'Name: {table["name"]}', f'Version: {version()}',
-             f'Summary: {table["description"]}', f'License: {table["license"]}',
+             f'Summary: {table["description"]}', f'Keywords: {",".join(table["keywords"])}', f'License: {table["license"]}',
              f'Requires-Python: {table["requires-python"]}']
     lines += [f'Classifier: {classifier}' for classifier in table['classifiers']]
     lines += [f'Requires-Dist: {dependency}' for dependency in table['dependencies']]

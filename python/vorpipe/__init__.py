@@ -1,4 +1,4 @@
-"""Voronoi and power diagrams of points in the plane, on any GPU or without one.
+"""Voronoi (Thiessen, Dirichlet) and power (Laguerre, radical) diagrams of points in the plane.
 
     diagram = vorpipe.cells(points)
 

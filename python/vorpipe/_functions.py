@@ -26,7 +26,7 @@ def cells(points: Any, weights: Any = None, domain: Any = None, periodic: Union[
           project: Project = None, margin: Margin = None, repair: bool = False, crs: Any = None,
           surface: Optional[str] = None,
           density_box: Optional[Sequence[float]] = None) -> Diagram:
-    """The cells of points: the Voronoi diagram, or with weights the power diagram, clipped to a domain.
+    """The cells of points: Voronoi cells (Thiessen polygons), with weights power (Laguerre) cells, in a domain.
 
     Args:
         points: array-like of shape (N, 2), N at least 1, finite; a table whose columns have names, as a DataFrame,

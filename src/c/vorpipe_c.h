@@ -1,4 +1,4 @@
-/* vorpipe from C: Voronoi and power diagrams of sites in the plane, on any GPU or without one.
+/* vorpipe from C: Voronoi (Thiessen, Dirichlet) and power (Laguerre, radical) diagrams of sites in the plane.
  *
  * The one interface whose binary form stays: a program built against this header runs with any later library
  * of the same SONAME. Coordinates are the caller's own units. No function prints, exits or throws.

@@ -83,7 +83,7 @@ class NeighborRows {
 
   BigVector<Row> rows_;
   std::vector<BigVector<std::int32_t>> parts_;
-  std::vector<std::uint32_t> large_;  ///< and some that once were
+  std::vector<std::uint32_t> large_;  ///< cells with large rows, and some whose rows once were large
   int threads_;
 };
 

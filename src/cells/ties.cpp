@@ -185,7 +185,7 @@ class TieResolver {
     return true;
   }
 
-  /// Disputes edges far longer than a tie whose ends are joined, which wrong ties may cause.
+  /// Marks edges as disputed whose ends are joined although they are far longer than a tie: ties were wrong.
   void findCollapsed(std::size_t k) {
     const auto cell = tied_.cell[k];
     if (isRightlyEmpty(sites_, cells_, cell)) return;
@@ -309,7 +309,7 @@ std::size_t nextMarked(std::span<const std::uint8_t> suspect, std::size_t begin)
 Result<TiedCells> resolveTies(const ProposedCells& proposed, std::span<const std::uint8_t> suspect,
                               const Fineness& fineness, Disputes disputes, const Records& records) {
   TiedCells tied;
-  // In a lattice all cells are tied: lists that grow by doubling would take half as much again.
+  // In a lattice all cells are tied: lists that grew by doubling would take half as much memory again.
   const auto count = static_cast<std::size_t>(std::ranges::count(suspect, 1));
   tied.cell.reserve(count);
   tied.offsets.reserve(count + 1);

@@ -162,7 +162,7 @@ void joinCopies(const Diagram& diagram, const std::vector<std::uint32_t>& twins,
   for (auto& vertex : vertex_of) vertex = renumbered[vertex];
 }
 
-/// On entry, `edge_of` holds the twin of each entry; replaces it by the entry's edge.
+/// Numbers the edges. `edge_of` comes with the twin of each entry, and leaves with the number of its edge.
 void numberEdges(const Diagram& diagram, Topology& topology) {
   auto& edge_of = topology.edge_of;
   std::size_t count = 0;

@@ -20,7 +20,7 @@ namespace {
 /// An edge of a ring; indices count within the cell.
 struct RingEdge {
   Point a, b;
-  std::size_t ring, next;  ///< the edge that follows it
+  std::size_t ring, next;  ///< its ring, and the edge after it
   std::int64_t neighbor;
   bool is_place;  ///< its ends differ by less than the tolerance
 };

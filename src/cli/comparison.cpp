@@ -8,7 +8,10 @@
 
 #include "base/try.h"
 #include "cli/stats.h"
+#include "io/base/extension.h"
 #include "io/base/field_text.h"
+#include "io/pictures/npy_ids.h"
+#include "io/pictures/png_file.h"
 
 namespace vorpipe::cli {
 namespace {
@@ -24,7 +27,7 @@ std::uint64_t differentStatuses(const Rendering& a, const Rendering& b) {
 }
 
 std::string pairName(const Comparison& comparison, const PairDiff& pair) {
-  return fmt::format("{} / {}", comparison.runs[pair.a].name, comparison.runs[pair.b].name);
+  return fmt::format("{} / {}", comparison.nameOf(pair.a), comparison.nameOf(pair.b));
 }
 
 Json runJson(const BackendRun& run, bool times) {
@@ -46,7 +49,8 @@ Json siteJson(const CellDifference& site) {
 }
 
 Json cellsJson(const Comparison& comparison, const PairDiff& pair) {
-  const CellsDiff& diff = pair.cells;
+  if (!pair.cells) return nullptr;
+  const CellsDiff& diff = *pair.cells;
   Json first = Json::array();
   for (const CellDifference& site : diff.first) first.push_back(siteJson(site));
   return {{"agree", diff.agree()},
@@ -74,7 +78,7 @@ std::string cellsText(const CellsDiff& diff) {
 std::string pairText(const PairDiff& pair) {
   std::vector<std::string> parts;
   if (!pair.pixels.agree()) parts.push_back(disagreementText(pair.pixels));
-  if (!pair.cells.agree()) parts.push_back(cellsText(pair.cells));
+  if (pair.cells && !pair.cells->agree()) parts.push_back(cellsText(*pair.cells));
   if (parts.empty()) parts.push_back(fmt::format("{} statuses in the pictures", pair.statuses));
   return fmt::format("{}", fmt::join(parts, "; "));
 }
@@ -92,6 +96,49 @@ void addRun(const Report& run, Report& sum) {
     double& to = sum.time_ms.*stage;
     if (ms >= 0) to = std::max(to, 0.0) + ms;
   }
+}
+
+/// Returns the ids of a picture in the colors of `drawn`: each pixel has that of a pixel of `drawn`, the same
+/// or one beside, that has its color, or no_site.
+std::vector<std::uint32_t> idsOfColors(const Image& picture, const Image& drawn) {
+  std::vector<std::uint32_t> ids(picture.rgba.size(), no_site);
+  const auto at = [&](int row, int column) {
+    return static_cast<std::size_t>(row) * static_cast<std::size_t>(drawn.width) +
+           static_cast<std::size_t>(column);
+  };
+  for (int row = 0; row < drawn.height; ++row) {
+    for (int column = 0; column < drawn.width; ++column) {
+      const std::size_t here = at(row, column);
+      const auto take = [&](std::size_t from) {
+        const bool same = drawn.rgba[from] == picture.rgba[here];
+        if (same) ids[here] = drawn.ids[from];
+        return same;
+      };
+      if (take(here)) continue;
+      const int bottom = std::min(row + 1, drawn.height - 1), right = std::min(column + 1, drawn.width - 1);
+      bool found = false;
+      for (int r = std::max(0, row - 1); r <= bottom && !found; ++r) {
+        for (int c = std::max(0, column - 1); c <= right && !found; ++c) found = take(at(r, c));
+      }
+    }
+  }
+  return ids;
+}
+
+Result<PairDiff> compareWith(const Reference& reference, const Comparison& comparison, std::size_t run,
+                             const Input& input, const RenderOptions& options) {
+  const Image& drawn = comparison.runs[run].rendering.image;
+  const bool colors = reference.image.ids.empty();
+  const std::vector<std::uint32_t> found =
+      colors ? idsOfColors(reference.image, drawn) : std::vector<std::uint32_t>{};
+  const std::span<const std::uint32_t> ids = colors ? found : reference.image.ids;
+  VORPIPE_VAR(pixels, diffIds(drawn.ids, ids, input.sites, options));
+  return PairDiff{run, comparison.runs.size(), std::move(pixels)};
+}
+
+Json referenceJson(const std::optional<Reference>& reference) {
+  if (!reference) return nullptr;
+  return {{"file", reference->path}, {"kind", reference->image.ids.empty() ? "picture" : "ids"}};
 }
 
 /// Adds a name to a list unless it is there already.
@@ -129,23 +176,33 @@ std::string choiceOf(std::span<const BackendRun> runs) {
   return fmt::to_string(fmt::join(choices, "; "));
 }
 
-Result<std::vector<PairDiff>> comparePairs(const std::vector<BackendRun>& runs, const Input& input,
-                                           const RenderOptions& options) {
-  std::vector<PairDiff> pairs;
+Result<Reference> readReference(const std::string& path) {
+  VORPIPE_VAR(image, lowerExtension(path) == ".npy" ? readNpyIds(path) : readPng(path));
+  return Reference{path, std::move(image)};
+}
+
+Result<void> comparePairs(Comparison& comparison, const Input& input, const RenderOptions& options) {
+  const auto& runs = comparison.runs;
   for (std::size_t a = 0; a < runs.size(); ++a) {
     for (std::size_t b = a + 1; b < runs.size(); ++b) {
       const Rendering &left = runs[a].rendering, &right = runs[b].rendering;
       VORPIPE_VAR(pixels, diffIds(left.image.ids, right.image.ids, input.sites, options));
       VORPIPE_VAR(cells, diffCells(runs[a].cells, runs[b].cells));
-      pairs.push_back({a, b, std::move(pixels), differentStatuses(left, right), std::move(cells)});
+      comparison.pairs.push_back({a, b, std::move(pixels), differentStatuses(left, right), std::move(cells)});
     }
   }
-  return pairs;
+  if (!comparison.reference) return {};
+  for (std::size_t run = 0; run < runs.size(); ++run) {
+    VORPIPE_VAR(pair, compareWith(*comparison.reference, comparison, run, input, options));
+    comparison.pairs.push_back(std::move(pair));
+  }
+  return {};
 }
 
 std::string comparisonTable(const Comparison& comparison) {
   std::size_t column = std::string_view("backend").size();
-  for (const BackendRun& run : comparison.runs) column = std::max(column, run.name.size());
+  const std::size_t members = comparison.runs.size() + (comparison.reference ? 1 : 0);
+  for (std::size_t i = 0; i < members; ++i) column = std::max(column, comparison.nameOf(i).size());
   for (const PairDiff& pair : comparison.pairs) column = std::max(column, pairName(comparison, pair).size());
   std::string text =
       fmt::format("{:<{}}  {:>10}  {:>10}  {}\n", "backend", column, "picture s", "cells s", "device");
@@ -153,21 +210,27 @@ std::string comparisonTable(const Comparison& comparison) {
     text += fmt::format("{:<{}}  {:>10.3f}  {:>10.3f}  {}\n", run.name, column, run.render_ms / 1000,
                         run.cells_ms / 1000, run.rendering.report.device);
   }
+  if (comparison.reference) {
+    text +=
+        fmt::format("{:<{}}  {:>10}  {:>10}  the reference\n", comparison.reference->path, column, "-", "-");
+  }
   constexpr auto row = "{:<{}}  {:>10}  {:>10}  {:>10}  {:>10}  {:>10}\n";
   text +=
       fmt::format(fmt::runtime(row), "pixels", column, "equal", "on edges", "at most", "wrong", "statuses");
   for (const PairDiff& pair : comparison.pairs) {
     const IdDiff& diff = pair.pixels;
     text += fmt::format(fmt::runtime(row), pairName(comparison, pair), column, diff.equal, diff.ties,
-                        diff.ties_allowed, diff.wrong, pair.statuses);
+                        diff.ties_allowed, diff.wrong, pair.cells ? std::to_string(pair.statuses) : "-");
   }
   text +=
       "(on edges: a pixel whose center lies on an edge may go to either cell; so many did, and at most so "
       "many could)\n";
+  if (comparison.runs.size() < 2) return text;
   text += fmt::format(fmt::runtime(row), "cells", column, "equal", "statuses", "neighbors", "areas",
                       "worst area");
   for (const PairDiff& pair : comparison.pairs) {
-    const CellsDiff& diff = pair.cells;
+    if (!pair.cells) continue;
+    const CellsDiff& diff = *pair.cells;
     text += fmt::format(fmt::runtime(row), pairName(comparison, pair), column, diff.equal, diff.statuses,
                         diff.neighbors, diff.areas, fmt::format("{:.2g}", diff.worst_area));
   }
@@ -180,7 +243,7 @@ std::string disagreementText(const Comparison& comparison) {
   if (bad == pairs.end()) return {};
   const auto all = std::ranges::count_if(pairs, [](const PairDiff& pair) { return !pair.agree(); });
   const std::string more = all > 1 ? fmt::format(" (the first of {} pairs that differ)", all) : "";
-  return fmt::format("{} and {} differ: {}{}", comparison.runs[bad->a].name, comparison.runs[bad->b].name,
+  return fmt::format("{} and {} differ: {}{}", comparison.nameOf(bad->a), comparison.nameOf(bad->b),
                      pairText(*bad), more);
 }
 
@@ -199,37 +262,17 @@ std::string comparisonJson(const Comparison& comparison, const Input& input, boo
   json["area_slack"] = {{"of_cell", area_slack_of_cell}, {"of_mean_cell", area_slack_of_mean}};
   json["backends"] = Json::array();
   for (const BackendRun& run : comparison.runs) json["backends"].push_back(runJson(run, times));
+  json["reference"] = referenceJson(comparison.reference);
   json["pairs"] = Json::array();
   for (const PairDiff& pair : comparison.pairs) {
     Json entry = {
-        {"a", comparison.runs[pair.a].name}, {"b", comparison.runs[pair.b].name}, {"agree", pair.agree()}};
+        {"a", comparison.nameOf(pair.a)}, {"b", comparison.nameOf(pair.b)}, {"agree", pair.agree()}};
     entry.update(diffJson(pair.pixels));
-    entry["different_statuses"] = pair.statuses;
+    entry["different_statuses"] = pair.cells ? Json(pair.statuses) : Json(nullptr);
     entry["cells"] = cellsJson(comparison, pair);
     json["pairs"].push_back(std::move(entry));
   }
   return jsonText(json, 2);
-}
-
-Picture comparisonMontage(const Comparison& comparison) {
-  const Image& image = comparison.runs.front().rendering.image;
-  const auto columns = static_cast<int>(std::max(comparison.runs.size(), comparison.pairs.size()));
-  Picture montage{columns * image.width, 2 * image.height, {}};
-  montage.rgba.resize(static_cast<std::size_t>(montage.width) * static_cast<std::size_t>(montage.height),
-                      0xFFFFFFFFu);
-  int column = 0;
-  for (const BackendRun& run : comparison.runs) {
-    paste(montage, Picture{image.width, image.height, run.rendering.image.rgba}, 0, column);
-    column += image.width;
-  }
-  column = 0;
-  for (const PairDiff& pair : comparison.pairs) {
-    Picture marked = grayOfIds(comparison.runs[pair.a].rendering.image.ids, image.width, image.height);
-    markDifferences(marked, pair.pixels.pixels);
-    paste(montage, marked, image.height, column);
-    column += image.width;
-  }
-  return montage;
 }
 
 }  // namespace vorpipe::cli

@@ -1,6 +1,7 @@
-/// The results of `vorpipe compare`: all backends, and every pair of them.
+/// The results of `vorpipe compare`: all backends, the picture that is kept, and every pair of them.
 #pragma once
 
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -20,22 +21,38 @@ struct BackendRun {
   std::string choice{};               ///< why this device was chosen, if the name leaves a choice
 };
 
+/// Ids, or a picture in colors, that an earlier run wrote.
+struct Reference {
+  std::string path;
+  Image image;  ///< has ids or rgba
+};
+
+/// Reads ids (.npy) or a picture (.png). Errors: those of readNpyIds and readPng.
+Result<Reference> readReference(const std::string& path);
+
 struct PairDiff {
-  std::size_t a = 0, b = 0;  ///< indices into Comparison::runs
+  std::size_t a = 0, b = 0;  ///< indices into Comparison::runs; their number stands for the reference
   IdDiff pixels;
-  std::uint64_t statuses = 0;  ///< sites of different status or owner in the pictures
-  CellsDiff cells;
-  [[nodiscard]] bool agree() const { return pixels.agree() && statuses == 0 && cells.agree(); }
+  std::uint64_t statuses = 0;        ///< sites of different status or owner in the pictures
+  std::optional<CellsDiff> cells{};  ///< none with the reference
+  [[nodiscard]] bool agree() const { return pixels.agree() && statuses == 0 && (!cells || cells->agree()); }
 };
 
 struct Comparison {
   std::vector<BackendRun> runs;
-  std::vector<PairDiff> pairs;
+  std::optional<Reference> reference{};
+  std::vector<PairDiff> pairs{};
+
+  /// The name of a run, or the reference's path.
+  [[nodiscard]] const std::string& nameOf(std::size_t index) const {
+    return index < runs.size() ? runs[index].name : reference->path;
+  }
 };
 
-/// Compares every pair of runs. All have pictures of the same size, and cells of the input's domain.
-Result<std::vector<PairDiff>> comparePairs(const std::vector<BackendRun>& runs, const Input& input,
-                                           const RenderOptions& options);
+/// Compares every pair of runs, and each run with the reference. All have pictures of the same size, and
+/// cells of the input's domain. Ids of a reference in colors are those of the run's pixels, the same or one
+/// beside, that have its color. Errors: those of diffIds and diffCells.
+Result<void> comparePairs(Comparison& comparison, const Input& input, const RenderOptions& options);
 
 /// Returns the tables for human readers.
 std::string comparisonTable(const Comparison& comparison);
@@ -54,8 +71,11 @@ std::string choiceOf(std::span<const BackendRun> runs);
 /// `times` is false.
 std::string comparisonJson(const Comparison& comparison, const Input& input, bool times);
 
-/// Returns a montage. Above: the pictures side by side; below: a gray picture for each pair with its
-/// differences marked.
+/// Returns a montage. Above: the pictures side by side, the reference last; below: a gray picture for each
+/// pair with its differences marked. A heading of two lines says what each one is.
 Picture comparisonMontage(const Comparison& comparison);
+
+/// Returns the height of these headings over pictures of a width, in pixels.
+int headingHeight(int width);
 
 }  // namespace vorpipe::cli

@@ -6,6 +6,8 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "io/base/error.h"
+
 namespace vorpipe::cli {
 namespace {
 
@@ -94,6 +96,15 @@ void paste(Picture& to, const Picture& from, int row, int column) {
         std::span(from.rgba).subspan(at(from.width, r, 0), static_cast<std::size_t>(from.width));
     std::ranges::copy(line, to.rgba.begin() + static_cast<std::ptrdiff_t>(at(to.width, row + r, column)));
   }
+}
+
+Result<void> checkIds(const std::string& path, const Image& image, const Sites& sites) {
+  const auto names_none = [&](std::uint32_t id) { return id != no_site && id >= sites.size(); };
+  const auto found = std::ranges::find_if(image.ids, names_none);
+  if (found == image.ids.end()) return {};
+  const auto pixel = found - image.ids.begin();
+  return inputError(fmt::format("{}: row {}, column {}: there is no site {}: --sites has {}, from 0 on", path,
+                                pixel / image.width, pixel % image.width, *found, sites.size()));
 }
 
 std::string placeText(const IdDifference& place) {

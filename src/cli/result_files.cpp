@@ -79,7 +79,7 @@ DrawingNeeds needsOf(const std::vector<PictureFile>& pictures) {
 struct ResultParts {
   Sites plane;                     ///< in the coordinates of the domain
   PlacedSites placed{};            ///< in the coordinates of files: in degrees if the input was
-  std::optional<Diagram> cells{};  ///< likewise
+  std::optional<Diagram> cells{};  ///< in the coordinates of files
   std::optional<Drawing> drawing{};
   RenderOptions render{};
 };

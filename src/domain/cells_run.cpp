@@ -133,7 +133,7 @@ Result<FoundCells> findPeriodicCells(const Machine& machine, const Sites& sites,
                     Scene{std::move(runs.imaged), clip, placed.domain()}};
 }
 
-/// Clips the cells of a run.
+/// Clips the cells of a run to its outline.
 Result<void> clip(const Machine& machine, const Sites& sites, const CellsOptions& options,
                   FoundCells& found) {
   const Stopwatch watch;

@@ -27,7 +27,7 @@ Point footOf(Point p, Point q, Point from) {
   return {p.x + along * (q.x - p.x), p.y + along * (q.y - p.y)};
 }
 
-/// Ties never remove a corner of the domain from a cell.
+/// Whether a point is a corner of the domain: no tie removes these from a cell.
 bool isCorner(const Box& domain, Point p) {
   return (p.x == domain.xmin || p.x == domain.xmax) && (p.y == domain.ymin || p.y == domain.ymax);
 }

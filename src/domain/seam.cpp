@@ -60,7 +60,7 @@ class Corners {
     for (; above_[corner] != corner; corner = above_[corner]) shift = shift + shift_[corner];
     return {corner, shift};
   }
-  /// Joins corners: a is b moved by a shift.
+  /// Notes that two corners are one: a is b moved by a shift.
   void join(std::uint32_t a, std::uint32_t b, Shift shift) {
     const Root of_a = rootOf(a), of_b = rootOf(b);
     if (of_a.corner == of_b.corner) return;

@@ -114,7 +114,7 @@ MeasuredSites measureSites(const Sites& sites, const CellMoments& moments, const
     measured.inverse[i] = measured.inverse[count + i] = 1 / (2 * mass);
     measured.way[i] = target.x - x;
     measured.way[count + i] = target.y - y;
-    // hypot takes as long as all the rest, and few ways are the longest so far.
+    // hypot takes as long as all the rest: it is called only for ways that may be the longest so far.
     const double side = std::max(std::abs(target.x - x), std::abs(target.y - y));
     if (1.5 * side > part.farthest) {
       part.farthest = std::max(part.farthest, std::hypot(target.x - x, target.y - y));

@@ -17,9 +17,10 @@ set(CPACK_DEBIAN_PACKAGE_GENERATE_SHLIBS ON)
 set(CPACK_DEBIAN_PACKAGE_GENERATE_SHLIBS_POLICY ">=")
 set(CPACK_DEBIAN_ENABLE_COMPONENT_DEPENDS OFF)
 set(vorpipe_about
-    "Computes Voronoi and power diagrams of sites in the plane by Vulkan, by
-OpenGL or on the CPU: cells, areas, neighbors, pictures; each cell certified,
-periodic domains and outlines with holes included.")
+    "Computes Voronoi diagrams (Thiessen polygons, Dirichlet cells) and power
+diagrams (Laguerre or radical tessellations) of sites in the plane by Vulkan,
+by OpenGL or on the CPU: cells, areas, neighbors, pictures; each cell
+certified, periodic domains and outlines with holes included.")
 
 set(CPACK_DEBIAN_PROGRAM_PACKAGE_NAME vorpipe)
 set(CPACK_DEBIAN_PROGRAM_PACKAGE_SECTION math)

@@ -63,7 +63,7 @@ WhatToDraw whatToDraw(const SiteSet& set, const RenderOptions& options, const Sh
 /// Draws some rows of a picture's frame at a time.
 class SampleDrawing {
  public:
-  /// The sites have their colors. All of it outlives this.
+  /// The sites must have their colors. All arguments must live as long as this object.
   SampleDrawing(const Machine& machine, const NearestSites& nearest, const RenderOptions& options,
                 const Palette& palette, KeptPicture& kept);
 

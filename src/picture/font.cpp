@@ -189,14 +189,6 @@ int unitsOf(std::string_view text) {
   return std::max(0, units - 1);
 }
 
-void drawText(const LegendText& text, Image& image) {
-  const int unit = std::max(1, static_cast<int>(std::lround(text.height / letter_units)));
-  const int width = unitsOf(text.text) * unit;
-  const int before = text.anchor == Anchor::start ? 0 : text.anchor == Anchor::middle ? width / 2 : width;
-  const Point at{std::round(text.x) - before, std::round(text.baseline)};
-  drawTextAt(text.text, at, unit * letter_units, black, image);
-}
-
 void drawTextAt(std::string_view text, Point at, double height, std::uint32_t color, Image& image) {
   const double unit = height / letter_units;
   for (const char character : text) {
@@ -207,3 +199,24 @@ void drawTextAt(std::string_view text, Point at, double height, std::uint32_t co
 }
 
 }  // namespace vorpipe::core
+
+namespace vorpipe {
+namespace {
+
+/// Pixels per unit: a whole number, so that vertical and horizontal strokes have sharp edges.
+int unitOf(const LegendText& text) {
+  return std::max(1, static_cast<int>(std::lround(text.height / core::letter_units)));
+}
+
+}  // namespace
+
+double widthOf(const LegendText& text) { return core::unitsOf(text.text) * unitOf(text); }
+
+void drawText(const LegendText& text, Image& image) {
+  const int unit = unitOf(text), width = core::unitsOf(text.text) * unit;
+  const int before = text.anchor == Anchor::start ? 0 : text.anchor == Anchor::middle ? width / 2 : width;
+  const Point at{std::round(text.x) - before, std::round(text.baseline)};
+  core::drawTextAt(text.text, at, unit * core::letter_units, black, image);
+}
+
+}  // namespace vorpipe

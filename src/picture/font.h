@@ -1,4 +1,4 @@
-/// The font for texts in pictures.
+/// The font for texts in pictures, which drawText() draws too.
 #pragma once
 
 #include <string_view>
@@ -13,10 +13,6 @@ inline constexpr int letter_units = 7;
 /// Returns the width of a text in units. It supports ASCII characters that legends need, among them digits,
 /// letters and .,:-+=/_%(); others are as wide as a space.
 int unitsOf(std::string_view text);
-
-/// Draws a text in opaque black, smoothed. Its height is rounded to a whole number of pixels per unit, at
-/// least one: then vertical and horizontal strokes have sharp edges.
-void drawText(const LegendText& text, Image& image);
 
 /// Draws a text of any height, smoothed. `at` is the start of its baseline.
 void drawTextAt(std::string_view text, Point at, double height, std::uint32_t color, Image& image);

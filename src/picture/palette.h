@@ -16,7 +16,7 @@ Result<Palette> paletteByName(std::string_view name);
 
 struct PaletteIndices {
   std::vector<std::uint8_t> index;  ///< by site, in input order; 0 for sites that have no cell
-  std::optional<ColorKey> key;      ///< not set by site
+  std::optional<ColorKey> key;      ///< none if colors are by site
 };
 
 /// By site: 256 i / (n + 1), as in the thesis (Listing A.2), i the input index of n. By area, neighbors or

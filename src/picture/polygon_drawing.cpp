@@ -19,7 +19,7 @@ constexpr std::size_t most_at_once = std::size_t{1} << 16, polygon_drawing_grain
 /// Triangles of some cells; indices are into `corners`.
 struct Triangles {
   std::vector<DrawMark> corners;
-  std::vector<std::uint32_t> corner_of;  ///< three for each triangle
+  std::vector<std::uint32_t> corner_of;  ///< an index, three for each triangle
 };
 
 /// Makes triangles of cells.

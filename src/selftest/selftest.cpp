@@ -57,16 +57,6 @@ Result<std::string> backendNamed(const SelftestOptions& options) {
   return session.device().backend;
 }
 
-bool isNamed(const SelftestDevice& device, std::string_view wanted) {
-  if (wanted.empty()) return true;
-  if (device.index < 0) return false;
-  int index = 0;
-  const auto [stop, error] = std::from_chars(wanted.data(), wanted.data() + wanted.size(), index);
-  if (error == std::errc() && stop == wanted.data() + wanted.size()) return device.index == index;
-  const auto lower = [](unsigned char letter) { return std::tolower(letter); };
-  return !std::ranges::search(device.info.name, wanted, {}, lower, lower).empty();
-}
-
 /// The devices that the options name. Errors (device): there is none, or the options name some and none is
 /// usable.
 Result<std::vector<SelftestDevice>> namedDevices(const SelftestOptions& options) {
@@ -83,7 +73,7 @@ Result<std::vector<SelftestDevice>> namedDevices(const SelftestOptions& options)
     if (!info.name.empty()) device.index = next[info.backend]++;
     device.info = std::move(info);
     const bool wanted = backend.empty() || device.info.backend == backend;
-    if (wanted && isNamed(device, options.device)) named.push_back(std::move(device));
+    if (wanted && device.isNamed(options.device)) named.push_back(std::move(device));
   }
   const bool any_usable = std::ranges::any_of(named, [](const auto& device) { return device.info.usable; });
   if (any_usable) return named;
@@ -141,6 +131,16 @@ Result<SelftestReport> run(const SelftestOptions& options) {
 
 bool SelftestDevice::passed() const {
   return arithmetic_fault.empty() && std::ranges::all_of(runs, &SelftestRun::passed);
+}
+
+bool SelftestDevice::isNamed(std::string_view device) const {
+  if (device.empty()) return true;
+  if (index < 0) return false;
+  int wanted = 0;
+  const auto [stop, error] = std::from_chars(device.data(), device.data() + device.size(), wanted);
+  if (error == std::errc() && stop == device.data() + device.size()) return index == wanted;
+  const auto lower = [](unsigned char letter) { return std::tolower(letter); };
+  return !std::ranges::search(info.name, device, {}, lower, lower).empty();
 }
 
 bool SelftestReport::passed() const { return std::ranges::all_of(devices, &SelftestDevice::passed); }

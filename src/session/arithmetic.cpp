@@ -130,7 +130,7 @@ std::vector<Operands> coordinates(std::mt19937_64& random) {
 constexpr Operands for_denormal_product{0x1p-100F, 0x1p-30F, 0, 0};
 constexpr Operands for_denormal_sum{0x1p-131F, 0x1p-131F, 0, 0};
 
-/// Returns infinity if `found` is not a number.
+/// Returns how far `found` is from `exact`, in ULP; infinity if it is not a number.
 double errorInUlp(float found, double exact) {
   if (exact == 0) return found == 0 ? 0 : HUGE_VAL;
   const double error = std::abs(found - exact);

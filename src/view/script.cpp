@@ -57,19 +57,26 @@ tl::expected<std::vector<Word>, WordProblem> wordsOf(std::string_view line) {
 
 std::vector<std::string> allKeyNames() {
   std::vector<std::string> names = {
-      "escape",    "tab",        "space",      "enter",      "backspace",  "insert",      "delete",
-      "home",      "end",        "left",       "right",      "up",         "down",        "pageup",
-      "pagedown",  "print",      "menu",       "plus",       "minus",      "asterisk",    "slash",
-      "question",  "equal",      "comma",      "period",     "colon",      "semicolon",   "apostrophe",
-      "quotedbl",  "grave",      "exclam",     "numbersign", "dollar",     "percent",     "ampersand",
-      "parenleft", "parenright", "less",       "greater",    "at",         "bracketleft", "bracketright",
-      "backslash", "circumflex", "underscore", "braceleft",  "braceright", "bar",         "tilde"};
+      "escape",    "tab",        "space",      "enter",      "backspace",  "insert",       "delete",
+      "home",      "end",        "left",       "right",      "up",         "down",         "page_up",
+      "page_down", "print",      "menu",       "plus",       "minus",      "asterisk",     "slash",
+      "question",  "equal",      "comma",      "period",     "colon",      "semicolon",    "apostrophe",
+      "quotedbl",  "grave",      "exclam",     "numbersign", "dollar",     "percent",      "ampersand",
+      "parenleft", "parenright", "less",       "greater",    "at",         "left_bracket", "right_bracket",
+      "backslash", "circumflex", "underscore", "braceleft",  "braceright", "bar",          "tilde"};
   for (char letter = 'a'; letter <= 'z'; ++letter) names.emplace_back(1, letter);
   for (char digit = '0'; digit <= '9'; ++digit) names.emplace_back(1, digit);
   constexpr int function_keys = 12;
   for (int number = 1; number <= function_keys; ++number) names.push_back("f" + std::to_string(number));
   return names;
 }
+
+/// Names of keys in scripts of older versions, and those of today.
+constexpr std::array<std::pair<std::string_view, std::string_view>, 4> older_key_names = {
+    {{"pageup", "page_up"},
+     {"pagedown", "page_down"},
+     {"bracketleft", "left_bracket"},
+     {"bracketright", "right_bracket"}}};
 
 constexpr std::array<std::string_view, 3> button_names = {"left", "right", "middle"};
 
@@ -128,6 +135,9 @@ class LineReader {
 
   std::string key() {
     std::string name = word("a key");
+    for (const auto& [older, now] : older_key_names) {
+      if (name == older) name = now;
+    }
     if (std::ranges::find(keyNames(), name) == keyNames().end()) {
       fail(fmt::format("{} is not a key: a to z, 0 to 9, f1 to f12, escape, tab, space ...", inQuotes(name)));
     }

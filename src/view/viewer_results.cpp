@@ -24,7 +24,7 @@ void Viewer::accept(Frame& frame) {
     const bool fits = settings_.motion != Motion::rests && document_.relax(frame.relaxed_from, frame.sites);
     // Something else has changed the sites meanwhile, so this picture shows other sites.
     if (!fits) return;
-    // Requests issued meanwhile were for the sites before this step.
+    // What was requested meanwhile shows the sites before this step, so it is requested again.
     if (frame.request < requested_) want(Changed::view);
   }
   if (frame.step) step_ = frame.step;

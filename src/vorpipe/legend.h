@@ -27,6 +27,12 @@ struct LegendText {
   std::string text;  ///< ASCII
 };
 
+/// Returns how wide a text is when drawText() draws it, in pixels.
+double widthOf(const LegendText& text);
+
+/// Draws a text in black over pixels, smoothed. Its height is rounded to a multiple of 7 pixels.
+void drawText(const LegendText& text, Image& image);
+
 /// Boxes are drawn first, each over the previous ones; then texts, in black.
 struct Legend {
   std::vector<LegendBox> boxes;

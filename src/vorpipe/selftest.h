@@ -36,6 +36,8 @@ struct SelftestDevice {
   std::optional<Arithmetic> arithmetic;
   std::string arithmetic_fault;  ///< what in it exceeds vorpipe's bounds, or why it is unknown
   [[nodiscard]] bool passed() const;
+  /// Whether `device`, as in SelftestOptions, names it.
+  [[nodiscard]] bool isNamed(std::string_view device) const;
 };
 
 struct SelftestReport {

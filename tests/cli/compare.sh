@@ -103,6 +103,54 @@ name="a report on standard output"
 cases=$((cases + 1))
 "$vorpipe" compare --backends cpu,opengl --sites random:9 --size 9x9 --report /dev/stdout >out/r.json 2>log/err || fail "exit code $?"
 [ "$(head -c 1 out/r.json)$(tail -n 1 out/r.json)" = "{}" ] || fail "not the report alone is on standard output"
+# -- What an earlier run wrote ----------------------------------------------------------------------------
+succeeds "ids that are kept" compare --backends vulkan-geometry,cpu --sites random:300 --reference out/a.npy \
+  --report out/r.json -o out/m.png --stats out/s.json
+expect "vulkan-geometry / out/a.npy"
+grep -q "^out/a.npy  *-  *-  the reference$" log/out || fail "the reference is not in the table"
+grep -q '"kind": "ids"' out/r.json && grep -q '"size": \[' out/r.json || fail "out/r.json does not name the reference"
+[ "$(grep -c '"cells": null' out/r.json)" -eq 2 ] || fail "not two pairs without cells"
+grep -q 'out/a.npy' out/s.json || fail "out/s.json has no hash of the reference"
+succeeds "the same once more" rerun out/s.json
+succeeds "a picture that is kept" compare --backends cpu,opengl --sites random:300 --reference out/a.png
+expect "opengl / out/a.png"
+name="ids that are others" cases=$((cases + 1))
+run 1 compare --backends cpu --sites random:300 --reference in/mutant.npy --report out/r.json -o out/m.png
+mentions "cpu and in/mutant.npy differ: 1 pixels wrong (0 ties, 5399 equal), first at row 7, column 11"
+grep -q '"wrong": 1,' out/r.json || fail "out/r.json does not count the pixel"
+if "$python" -c 'import PIL' 2>/dev/null; then
+  name="a picture that is another" cases=$((cases + 1))
+  run 1 compare --backends cpu --sites random:300 --reference in/near.png
+  mentions "cpu and in/near.png differ: 3 pixels wrong (0 ties, 5397 equal), first at row 3, column 0: sites "
+  "$python" - <<'END' || fail "out/m.png is not what it should be"
+from PIL import Image
+image = Image.open('out/m.png').convert('RGB')
+heading = 28
+assert image.size == (2 * 90, 2 * (heading + 60)), image.size
+assert image.getpixel((11, 2 * heading + 60 + 7)) == (255, 0, 0)
+for top in (0, heading + 60):
+    dark = [sum(image.crop((left, top, left + 90, top + heading)).convert('L').histogram()[:128]) for left in (0, 90)]
+    assert dark[0] > 40 and (dark[1] > 40) == (top == 0), dark
+kept, drawn = image.crop((90, heading, 180, heading + 60)), Image.open('out/a.png').convert('RGB')
+assert image.crop((0, heading, 90, heading + 60)).tobytes() == drawn.tobytes() and kept.getpixel((0, 0)) != (255,) * 3
+END
+fi
+# Ids of a lattice whose centers of pixels all lie on edges: every pixel of an edge may be the other cell's.
+succeeds "ties of a lattice" render --backend cpu --sites square:16 --size 60x60 --ids out/lattice.npy -o out/lattice.png
+for kept in npy png; do
+  succeeds "ties in a .$kept" compare --backends opengl,vulkan-geometry --sites square:16 --reference out/lattice.$kept
+done
+fails 2 "a size beside that of the reference" "out/a.npy is 90x60, with this --size pictures are 30x30" compare \
+  --backends cpu --sites random:300 --size 30x30 --reference out/a.npy --report out/old.json
+fails 2 "a reference of other sites" "there is no site" compare --backends cpu --sites random:9 --reference out/a.npy
+fails 2 "a reference that is not there" "in/none.npy" compare --backends cpu --sites random:9 --reference in/none.npy
+fails 2 "one backend alone" "or a --reference" compare --backends cpu --sites random:9
+succeeds "a device behind its backend" compare --backends opengl:0,cpu:0 --sites random:30 --size 30 --stats out/s.json
+expect "opengl:0 / cpu:0"
+grep -q '"backend": "opengl:0, cpu:0"' out/s.json || fail "out/s.json does not name the devices"
+fails 3 "a device that is not there, behind its backend" "77" compare --backends cpu,vulkan-compute:77 --sites random:9 --report out/old.json
+fails 2 "no device behind a colon" '"cpu:" names no device' compare --backends cpu:,opengl --sites random:9
+fails 2 "a device twice" '"opengl:0" is named twice' compare --backends opengl:0,opengl:0 --sites random:9
 fails 2 "compare with an unknown backend" '--backends: "nope" is not one of' compare --backends cpu,nope --sites random:9 --report out/old.json
 fails 2 "compare a backend with itself" "--backends" compare --backends cpu,cpu --sites random:9 --report out/old.json
 fails 2 "compare with one backend" "--backends" compare --backends cpu --sites random:9

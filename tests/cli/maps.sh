@@ -137,7 +137,7 @@ geojson "" "$ring" >in/country.geojson
 geojson "$(crs 4258)" "$ring" >in/etrs.geojson
 refuses "sites in another system" "--domain: in/country.geojson is in EPSG:4326, in/mercator.geojson in EPSG:3857; take one" \
   --sites in/mercator.geojson --domain in/country.geojson
-refuses "in another system to be projected" "is in EPSG:4326, in/mercator.geojson in EPSG:3857" \
+refuses "in another system to be projected" "in/mercator.geojson in EPSG:3857; --project takes both in degrees, as ogr2ogr -t_srs EPSG:4326 makes" \
   --sites in/mercator.geojson --domain in/country.geojson --project auto
 geojson "$(crs 25832)" "$ring" >in/utm.geojson
 refuses "an outline of a plane to be projected" "--project: in/utm.geojson says that its coordinates are those of a plane" \
@@ -149,8 +149,10 @@ notes "no site in the domain" "--domain: no site lies in the box 3.5,51,7,53; th
   $cells --sites in/unnamed.csv --domain in/country.geojson
 printf 'PROJCS["WGS_1984_UTM_Zone_32N",GEOGCS["GCS_WGS_1984"]]' >in/unnamed.prj
 refuses "a system beside sites" "in/country.geojson is in EPSG:4326, in/unnamed.csv in EPSG:32632" --sites in/unnamed.csv --domain in/country.geojson
-printf 'apples' >in/unnamed.prj
-refuses "a system that is none" "--sites: in/unnamed.prj: is no coordinate system in WKT" --sites in/unnamed.csv
+mv in/unnamed.prj in/unnamed.PRJ
+refuses "a system beside sites, in capitals" "in/unnamed.csv in EPSG:32632" --sites in/unnamed.csv --domain in/country.geojson
+printf 'apples' >in/unnamed.PRJ
+refuses "a system that is none" "--sites: in/unnamed.PRJ: is no coordinate system in WKT" --sites in/unnamed.csv
 printf 'lon,lat\n12,42\n13,89\n14,-80\n' >in/polar.csv
 notes "a box of degrees ends at the poles" "it ends at 90" $cells --sites in/polar.csv
 grep -q '"domain": \[' out/s.json && tr -d ' \n' <out/s.json | grep -q ',90.0\],\|,90\],' || fail "the domain goes beyond the pole"

@@ -57,6 +57,18 @@ succeeds "one backend" selftest --quick --backend cpu --device 0 --seed 5 --thre
 expect "[1] cpu 0: "
 expect "on 1 device passed"
 grep -qF "[2]" log/out && fail "another device"
+succeeds "a backend that is required" selftest --quick --backend cpu --require cpu,cpu:0 --quiet
+name="a required backend that is not tested" cases=$((cases + 1))
+run 1 selftest --quick --backend cpu --require cpu --require vulkan-compute --json out/required.json --quiet
+one_line
+mentions "--require: vulkan-compute is not among what was tested"
+grep -q '"passed": true' out/required.json || fail "no report beside what is lacking"
+name="a required backend that cannot be used" cases=$((cases + 1))
+VK_DRIVER_FILES=/none run 1 selftest --quick --require vulkan --quiet --limit maxTexelBufferElements=4096
+one_line
+mentions "--require: vulkan: "
+fails 2 "what cannot be required" '--require: "auto" is not one of' selftest --quick --require cpu,auto
+fails 2 "an unknown backend that is required" '--require: "gpu" is not one of' selftest --quick --require gpu
 succeeds "what auto takes" selftest --quick --backend auto --json out/auto.json --quiet
 [ -s log/out ] && fail "not quiet"
 grep -q "\"passed\": true" out/auto.json || fail "nothing passed"

@@ -13,6 +13,14 @@ grep -q '^all [0-9]* runs on 1 device passed' log/out || fail "no summary of wha
 export VORPIPE_VALIDATION=0
 succeeds "pictures and cells of both" compare --backends vulkan-compute,cpu --device SwiftShader --sites clusters:1000 \
   --random-weights 0,0.0001 --size 100 --check
+if lavapipe=$(ls /usr/share/vulkan/icd.d/lvp_icd*.json 2>/dev/null | head -n 1) && [ -n "$lavapipe" ]; then
+  VK_DRIVER_FILES=$VK_DRIVER_FILES:$lavapipe succeeds "two devices of one backend" compare \
+    --backends vulkan-compute:SwiftShader,vulkan-compute:llvmpipe --sites clusters:300 --size 100 --report out/two.json
+  expect "vulkan-compute:SwiftShader / vulkan-compute:llvmpipe"
+  grep -q '"device": "SwiftShader' out/two.json && grep -q '"device": "llvmpipe' out/two.json || fail "not two devices"
+else
+  skipped "two devices of one backend" "there is no lavapipe"
+fi
 fails 3 "no geometry shader" "it lacks the feature geometryShader" cells --backend vulkan-geometry --sites hex:100 -o out/old.csv
 
 # -- Faults, made by a layer between program and driver ---------------------------------------------------

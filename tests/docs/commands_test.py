@@ -5,7 +5,7 @@ Commands stand in blocks fenced with ```sh. Those of a page run in order, in one
 checkout that is just built: docs/examples, tests/data, and a ./run that starts VORPIPE. A command must end with 0, or
 with the code that its line names, as in `# exit code 3`. A block fenced with ```text right behind one of commands is
 what they print, but for how many spaces it has; `...` there stands for what differs from machine to machine, on a line
-of its own for any number of lines.
+of its own for any number of lines. A block fenced with ```yaml is a workflow of GitHub Actions, whose steps run as well.
 """
 import os
 import pathlib
@@ -16,6 +16,11 @@ import sys
 import tempfile
 import time
 
+try:
+    import yaml
+except ImportError:
+    yaml = None
+
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 PAGES = ['README.md', 'CONTRIBUTING.md', 'SECURITY.md', 'tests/data/README.md', 'third_party/README.md']
 PAGES += sorted(str(page.relative_to(ROOT)) for page in (ROOT / 'docs').glob('*.md'))
@@ -25,6 +30,7 @@ BUILDS = 'it builds, or runs what only another preset or target builds'
 SELFTEST = 'it takes long on software drivers; the test cli_selftest runs the like of it'
 DRIVERS = 'it takes minutes; the tests vulkan and conformance are what it runs'
 NUMPY = 'it takes a python3 with NumPy, whose own is not that of every shell'
+INSTALLS = 'it installs'
 WINDOW = 'it opens a window; the test view plays the like of it'
 NOT_RUN = {
     'python3 tests/faults/campaign.py build/dev/src/cli/vorpipe --moments 200': 'it takes an hour; the test faults does',
@@ -110,6 +116,11 @@ NOT_RUN = {
     'cmake --preset release && cmake --build --preset release': BUILDS,
     'cmake --install build/release --prefix ~/.local': 'the test library_installed installs',
     'src/package/make deb archive': BUILDS,
+    'vorpipe/src/package/make deb': BUILDS,
+    'sudo apt-get update': INSTALLS,
+    'sudo apt-get install -y ./vorpipe/build/packages/vorpipe_*.deb libvulkan1 mesa-vulkan-drivers libegl1 \\\n'
+    '  libopengl0 libgl1-mesa-dri': INSTALLS,
+    'vorpipe selftest --quick --require vulkan-compute,opengl --json selftest.json': SELFTEST,
 }
 
 
@@ -144,12 +155,30 @@ class Page:
             inside = lines[start:end]
             if fence[1] == 'sh':
                 self.blocks.append([start, list(commands(inside, start + 1)), None])
+            elif fence[1] == 'yaml':
+                self.read_workflow(start, '\n'.join(inside))
             elif fence[1] == 'text' and fresh:
                 self.blocks[-1][2] = inside
             elif fence[1] not in ('text', 'c', 'cpp', 'glsl', 'json', 'csv', 'cmake', 'python'):
                 self.fault(at + 1, f'a block of "{fence[1]}": use sh for commands, text for what they print')
             fresh = fence[1] == 'sh'
             at = end + 1
+
+    def read_workflow(self, line, text):
+        """Takes the commands of a workflow's steps; what only GitHub can say of it is whether its actions exist."""
+        if yaml is None:
+            skipped(f'{self.name}:{line}', 'there is no yaml')
+            return
+        try:
+            workflow = yaml.safe_load(text)
+            steps = [step for job in workflow['jobs'].values() for step in job['steps']]
+        except (yaml.YAMLError, KeyError, TypeError, AttributeError) as error:
+            self.fault(line, f'this is no workflow: {error!r}')
+            return
+        for step in steps:
+            if ('run' in step) == ('uses' in step) or not re.fullmatch(r'[\w/-]+@v\d+', step.get('uses', 'a@v1')):
+                self.fault(line, f'a step runs commands or uses an action of a version: {step}')
+        self.blocks += [[line, list(commands(step['run'].splitlines(), line)), None] for step in steps if 'run' in step]
 
 
 def commands(lines, number):
@@ -192,6 +221,7 @@ def lay_out(folder, vorpipe):
     # Pages say python3; the build says which one has the modules.
     (folder / 'bin').mkdir()
     (folder / 'bin/python3').symlink_to(sys.executable)
+    (folder / 'bin/vorpipe').symlink_to(vorpipe)
 
 
 def run(page, vorpipe, folder):

@@ -22,7 +22,7 @@ struct Clipper {
   double site_x = 0, site_y = 0;  ///< the site whose cell is clipped
   int used_edges = MAX_EDGES;     ///< where loops over slots end if Room exceeds 64; a multiple of 4
 
-  /// Returns the end of loops over the slots; a constant if there are few.
+  /// Returns where loops over the slots end: a constant if there are few, which compilers unroll.
   [[nodiscard]] int edgeEnd() const {
     if constexpr (Room > 64) return used_edges;
     return MAX_EDGES;

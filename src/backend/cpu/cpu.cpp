@@ -105,7 +105,7 @@ class CpuBackend final : public Backend {
     return {};
   }
 
-  // In a loop that compilers may vectorize, as they do with the clipping.
+  // One loop over plain arrays, which compilers may vectorize as they do the clipping.
   Result<void> compute(std::span<const Operands> operands, std::span<Computed> out) override {
     for (std::size_t i = 0; i < operands.size(); ++i) {
       const auto [a, b, c, d] = operands[i];

@@ -14,7 +14,7 @@ struct LaneOrder {
   static constexpr std::size_t most = 1024;
   static constexpr int most_around = 63;
 
-  std::uint32_t cell[most];  ///< as index in the job
+  std::uint32_t cell[most];  ///< indices into the job's cells
 
   /// Sorts the cells begin .. begin + count - 1 by the number of sites in the bins around each.
   void sort(const LaneJob& job, std::size_t begin, std::size_t count) {

@@ -32,7 +32,7 @@ namespace vorpipe::cpu {
 /// An edge of a cell, as in struct Cell of cell.glsl.
 template <class Real>
 struct RingEdge {
-  std::int32_t line;  ///< a site, or a wall
+  std::int32_t line;  ///< the site or wall whose line it is
   Real nx, ny, h, lo, hi;
   Real angle;  ///< of the normal, by pseudoAngle
   Real moved;  ///< how far the difference of weights moves the line, in either direction
@@ -52,8 +52,8 @@ struct Offset {
   Real weight_difference;  ///< the weight of the cell's own site minus the other's
 };
 
-/// A fraction of tieScale, like shortest_edge. A site that was left out surely has no edge if that would be
-/// no longer than this.
+/// A site that was left out has no edge with the cell if the edge could be no longer than this: a fraction
+/// of tieScale, like shortest_edge.
 constexpr double no_edge = 5e-7;
 /// Lengths with less uncertainty than this are accepted to tell an edge from a tie.
 constexpr double unsure_edge = 5e-8;

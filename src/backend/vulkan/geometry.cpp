@@ -51,7 +51,7 @@ Result<std::unique_ptr<Backend>> GeometryBackend::open(Instance instance, const 
   VORPIPE_VAR(pipelines, Pipelines::create(device));
   std::unique_ptr<GeometryBackend> backend(new GeometryBackend(
       std::move(instance), std::move(device), std::move(bindings), std::move(pipelines), describe(physical)));
-  // cells() needs no view from the caller, but the shaders read the block.
+  // Shaders read the block of the view in cells() too, for which the caller sets none.
   VORPIPE_TRY(backend->setView(backend->shown_));
   return backend;
 }

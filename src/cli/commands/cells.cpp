@@ -213,10 +213,12 @@ Result<ExitCode> cells(CellsCommand& command, const Invocation& how) {
 
 void addCells(CommandLine& line) {
   auto command = std::make_shared<CellsCommand>();
-  Options options = line.addSubcommand("cells",
-                                       "computes the cells of sites: areas, centroids, neighbors, polygons; "
-                                       "with weights, those of the power diagram",
-                                       [command](const Invocation& how) { return cells(*command, how); });
+  Options options =
+      line.addSubcommand("cells",
+                         "computes the cells of sites (Thiessen polygons, Dirichlet cells): areas, "
+                         "centroids, neighbors, polygons; with weights, those of the power diagram "
+                         "(Laguerre or radical cells)",
+                         [command](const Invocation& how) { return cells(*command, how); });
   addInputOptions(options, command->input).required();
   options.group("Output");
   addCellsTargets(options, command->targets);

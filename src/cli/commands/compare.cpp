@@ -1,9 +1,11 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
 #include <functional>
 #include <memory>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <utility>
 
 #include "base/stopwatch.h"
@@ -15,15 +17,17 @@
 #include "cli/options/picture_options.h"
 #include "cli/progress.h"
 #include "cli/run.h"
+#include "io/base/error.h"
 #include "io/pictures/png_file.h"
 
 namespace vorpipe::cli {
 namespace {
 
 struct CompareCommand : RunOptions {
-  std::vector<std::string> backends;
+  std::vector<BackendDevice> backends;
   InputOptions input;
   PictureOptions picture;
+  std::string reference;  ///< a file; empty: none
   std::string report, png;
 };
 
@@ -46,12 +50,13 @@ Result<void> checkRun(const CompareCommand& command, const Input& input, const R
                    run.broken);
 }
 
-Result<BackendRun> runBackend(const CompareCommand& command, const std::string& name, const Input& input,
+Result<BackendRun> runBackend(const CompareCommand& command, const BackendDevice& named, const Input& input,
                               RenderOptions picture) {
+  const std::string& name = named.text;
   BackendOptions backend = command.backend;
-  backend.name = name;
-  // A device name applies only to backends with devices to choose from.
-  if (name == "cpu") backend.device.clear();
+  backend.name = named.backend;
+  // --device is for backends that have devices to choose from, unless one follows the name.
+  if (backend.name == "cpu" || !named.device.empty()) backend.device = named.device;
   VORPIPE_VAR(session, Session::open(backend));
   ProgressBar bar(command.talk.quiet);
   picture.progress = bar.callback();
@@ -77,10 +82,10 @@ Result<BackendRun> runBackend(const CompareCommand& command, const std::string& 
 Result<std::vector<BackendRun>> runBackends(const CompareCommand& command, const Input& input,
                                             const RenderOptions& options) {
   std::vector<BackendRun> runs;
-  for (const std::string& name : command.backends) {
-    VORPIPE_VAR(run, runBackend(command, name, input, options));
-    const bool silent =
-        validationIsSilent(run.rendering.report, name) && validationIsSilent(run.cells.report, name);
+  for (const BackendDevice& named : command.backends) {
+    VORPIPE_VAR(run, runBackend(command, named, input, options));
+    const bool silent = validationIsSilent(run.rendering.report, named.text) &&
+                        validationIsSilent(run.cells.report, named.text);
     if (!silent) return std::vector<BackendRun>{};
     runs.push_back(std::move(run));
   }
@@ -115,8 +120,8 @@ void planCompare(const CompareCommand& command, const PictureSize& size, MemoryP
   RenderOptions render = command.picture.render;
   render.width = size.width;
   render.height = size.height;
-  for (const std::string& name : command.backends) {
-    work.backend = name;
+  for (const BackendDevice& named : command.backends) {
+    work.backend = named.backend;
     planSession(plan, work);
     const auto since = plan.next();
     const std::vector kept{planPicture(plan, work, render), planCells(plan, work, Detail::measures)};
@@ -125,29 +130,72 @@ void planCompare(const CompareCommand& command, const PictureSize& size, MemoryP
     plan.dropSince(since, kept);
   }
   const auto pixels = static_cast<std::uint64_t>(size.width) * static_cast<std::uint64_t>(size.height);
-  const std::uint64_t runs = command.backends.size(), pairs = runs * (runs - 1) / 2;
+  const std::uint64_t runs = command.backends.size(), kept = command.reference.empty() ? 0 : 1;
+  const std::uint64_t pairs = runs * (runs - 1) / 2 + kept * runs;
+  // The ids of a reference in colors are found for one pair at a time.
+  plan.take("the reference", 2 * kept * pixels * sizeof(std::uint32_t));
   plan.take("differences of pictures", pairs * pixels);
-  if (!command.png.empty()) plan.take("the pictures side by side", (runs + 2 * pairs) * pixels * 4);
+  if (command.png.empty()) return;
+  // Panels beside the montage of them.
+  const std::uint64_t panels = runs + kept + pairs, places = 2 * std::max(runs + kept, pairs);
+  const auto heading =
+      static_cast<std::uint64_t>(size.width) * static_cast<std::uint64_t>(headingHeight(size.width));
+  plan.take("the pictures side by side", (panels + places) * (pixels + heading) * sizeof(std::uint32_t));
 }
 
 /// Forecasts the run as if every device were software: which ones are is known only once they are open.
 Result<std::uint64_t> forecastAll(const CompareCommand& command, const Input& input,
                                   const RenderOptions& options) {
   DeviceInfo software;
-  software.backend = command.backends.front();
+  software.backend = command.backends.front().backend;
   software.type = "cpu";
   const PictureSize size{options.width, options.height};
   return forecastRun(command.input, input, ImagesFor::cells, software, command.backend,
                      std::bind_front(planCompare, std::cref(command), size), command.memory_limit);
 }
 
+/// Returns what to draw: where there is a reference and no --size, pictures of its size. Errors (input):
+/// those of pictureOf; --size is another.
+Result<RenderOptions> pictureBeside(const std::optional<Reference>& reference, const CompareCommand& command,
+                                    const Input& input) {
+  PictureOptions picture = command.picture;
+  VORPIPE_VAR(usual, pictureOf(picture, command.input, input));
+  if (!reference) return usual;
+  const auto [width, height] = std::pair(reference->image.width, reference->image.height);
+  const auto fits = [&](const RenderOptions& options) {
+    return options.width == width && options.height == height;
+  };
+  if (fits(usual)) return usual;
+  if (picture.size.sides || picture.size.longer_side > 0) {
+    return inputError(fmt::format("--reference: {} is {}x{}, with this --size pictures are {}x{}",
+                                  reference->path, width, height, usual.width, usual.height));
+  }
+  // A picture drawn with `--size N` fills its sides, where `--size WxH` may leave some room.
+  picture.size.longer_side = std::max(width, height);
+  VORPIPE_VAR(longer, pictureOf(picture, command.input, input));
+  if (fits(longer)) return longer;
+  picture.size.sides = PictureSize{width, height};
+  return pictureOf(picture, command.input, input);
+}
+
+Result<std::optional<Reference>> loadReference(const CompareCommand& command, const Input& input) {
+  if (command.reference.empty()) return std::nullopt;
+  VORPIPE_VAR(reference, readReference(command.reference));
+  VORPIPE_TRY(checkIds(reference.path, reference.image, input.sites));
+  return reference;
+}
+
 Result<ExitCode> compare(const CompareCommand& command, const Invocation& how) {
+  if (command.backends.size() < 2 && command.reference.empty()) {
+    return inputError("--backends: needs at least two backends, as in cpu,vulkan-geometry, or a --reference");
+  }
   std::vector<std::string> paths{command.report, command.png};
   std::erase(paths, "");
   CommandRun run("compare", command, how, std::move(paths));
   VORPIPE_LET(input, run.load(command.input, std::bind_front(planCompare, std::cref(command),
                                                              sizeBefore(command.picture.size))));
-  VORPIPE_VAR(options, pictureOf(command.picture, command.input, input));
+  VORPIPE_VAR(reference, loadReference(command, input));
+  VORPIPE_VAR(options, pictureBeside(reference, command, input));
   options.search = command.search;
   VORPIPE_TRY(checkInput(command.input, input, cellsOptions(options), command.backend.threads));
   printNotes(command.talk, input);
@@ -162,8 +210,8 @@ Result<ExitCode> compare(const CompareCommand& command, const Invocation& how) {
   const BackendRun& first = runs.front();
   printMissingCells(command.talk, input, first.cells.status, first.cells.report);
   run.log.choice = choiceOf(runs);
-  VORPIPE_VAR(pairs, comparePairs(runs, input, options));
-  const Comparison comparison{std::move(runs), std::move(pairs)};
+  Comparison comparison{std::move(runs), std::move(reference)};
+  VORPIPE_TRY(comparePairs(comparison, input, options));
   VORPIPE_TRY(writeFiles(command, run, comparison, input));
   printSummary(command.talk, run.paths, comparisonTable(comparison));
   const std::string differences = disagreementText(comparison);
@@ -181,13 +229,20 @@ void addCompare(CommandLine& line) {
       "draws and computes the same cells on several backends and compares every pair, pixels and cells",
       [command](const Invocation& how) { return compare(*command, how); });
   options.group("Device");
-  addParsed(options, "--backends", command->backends, "A,B,...",
-            fmt::format("what computes: two or more of {}", fmt::join(backendNames(), ", ")), parseBackends,
-            {backendNames(), {}, true})
+  addParsed(
+      options, "--backends", command->backends, "A,B,...",
+      fmt::format("what computes: two or more of {}, or one and a --reference; a device follows a colon, its "
+                  "index or a part of its name: vulkan-compute:0,vulkan-compute:1",
+                  fmt::join(backendNames(), ", ")),
+      parseBackendDevices, {backendNames(), {}, true})
       .required();
   addInputOptions(options, command->input).required();
   options.group("Picture");
   addSizeOptions(options, command->picture);
+  addAnyFile(
+      options, "--reference", command->reference, {".npy", ".png"},
+      "what an earlier run wrote, one more to compare with: --ids of render (.npy), or its picture (.png) "
+      "without options of colors and marks; without --size pictures have its size");
   addDeviceChoice(options, command->backend);
   addSearchOptions(options, command->search);
   addRunOptions(options, command->backend, command->memory_limit);

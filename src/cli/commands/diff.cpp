@@ -48,16 +48,6 @@ struct DiffOutcome {
 
 bool namesIds(const std::string& path) { return lowerExtension(path) == ".npy"; }
 
-/// Rejects ids of other sites: their ties cannot be determined.
-Result<void> checkIds(const std::string& path, const Image& image, const Sites& sites) {
-  const auto names_none = [&](std::uint32_t id) { return id != no_site && id >= sites.size(); };
-  const auto found = std::ranges::find_if(image.ids, names_none);
-  if (found == image.ids.end()) return {};
-  const auto pixel = found - image.ids.begin();
-  return inputError(fmt::format("{}: row {}, column {}: there is no site {}: --sites has {}, from 0 on", path,
-                                pixel / image.width, pixel % image.width, *found, sites.size()));
-}
-
 Result<IdDiff> idDiff(const DiffCommand& command, const Image& a, const Image& b) {
   if (command.input.sites.empty()) return diffIds(a.ids, b.ids, a.width, a.height);
   const auto planDiff = [](MemoryPlan& plan, const Workload& work) {

@@ -48,8 +48,11 @@ int runSubcommand(const Run& run, const Invocation& how) {
 }
 
 int parseAndRun(int count, char** arguments) {
-  CommandLine line("vorpipe", "Voronoi diagrams of sites in the plane, on any GPU or without one",
-                   fmt::format("vorpipe {}", version()));
+  CommandLine line(
+      "vorpipe",
+      "Voronoi diagrams (Thiessen polygons, Dirichlet cells) and power diagrams (Laguerre, radical) of "
+      "sites in the plane, on any GPU or without one",
+      fmt::format("vorpipe {}", version()));
   for (const auto add : {addRender, addCells, addRelax, addTransport, addFluid, addView, addDiff, addCompare,
                          addRerun, addDevices, addBench, addSelftest})
     add(line);

@@ -1,6 +1,7 @@
 #include "vorpipe/selftest.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cstdio>
@@ -27,6 +28,7 @@ struct SelftestCommand {
   SelftestOptions options;
   TalkOptions talk;
   std::string json;
+  std::vector<BackendDevice> required;
 };
 
 /// Returns the findings and the machine as JSON.
@@ -36,17 +38,38 @@ std::string jsonOf(const SelftestReport& report) {
   return jsonText(json, 1);
 }
 
-/// Returns the first fault, in one line.
+/// Returns the first fault of a device, in one line; empty if there is none.
+std::string firstFault(const SelftestDevice& device) {
+  if (!device.arithmetic_fault.empty()) return device.arithmetic_fault;
+  const auto failed = std::ranges::find_if_not(device.runs, &SelftestRun::passed);
+  if (failed == device.runs.end()) return {};
+  return fmt::format("{}, {}, seed {}: {}", failed->group, failed->scene, failed->seed, failed->fault);
+}
+
+/// The same of all devices.
 std::string firstFault(const SelftestReport& report) {
+  const auto failed = std::ranges::find_if_not(report.devices, &SelftestDevice::passed);
+  if (failed == report.devices.end()) return {};
+  return fmt::format("{} {}: {}", failed->info.backend, failed->index, firstFault(*failed));
+}
+
+bool isOf(const SelftestDevice& device, const BackendDevice& required) {
+  const bool of_backend = required.backend == "vulkan" ? device.info.backend.starts_with("vulkan")
+                                                       : device.info.backend == required.backend;
+  return of_backend && device.isNamed(required.device);
+}
+
+/// Returns why a required backend does not serve, in one line; empty if one of its devices passed.
+std::string lackOf(const SelftestReport& report, const BackendDevice& required) {
+  std::string reason;
   for (const SelftestDevice& device : report.devices) {
-    const std::string name = fmt::format("{} {}", device.info.backend, device.index);
-    if (!device.arithmetic_fault.empty()) return fmt::format("{}: {}", name, device.arithmetic_fault);
-    for (const SelftestRun& run : device.runs) {
-      if (run.passed()) continue;
-      return fmt::format("{}: {}, {}, seed {}: {}", name, run.group, run.scene, run.seed, run.fault);
-    }
+    if (!isOf(device, required)) continue;
+    if (device.info.usable && device.passed()) return {};
+    if (reason.empty() || device.info.usable)
+      reason = device.info.usable ? firstFault(device) : device.info.reason;
   }
-  return {};
+  if (reason.empty()) return fmt::format("{} is not among what was tested", required.text);
+  return fmt::format("{}: {}", required.text, reason);
 }
 
 constexpr std::size_t label_width = 38, column_width = 10;
@@ -261,6 +284,21 @@ std::string selftestSummary(const SelftestReport& report) {
                      where, seconds);
 }
 
+/// The backends that can be required: `auto` is none.
+std::vector<std::string> requirable() {
+  std::vector<std::string> names = backendNames();
+  std::erase(names, "auto");
+  return names;
+}
+
+Parsed<std::vector<BackendDevice>> parseRequired(std::string_view text) {
+  auto named = parseBackendDevices(text);
+  if (named && std::ranges::find(*named, "auto", &BackendDevice::backend) != named->end()) {
+    return tl::unexpected(fmt::format("\"auto\" is not one of {}", fmt::join(requirable(), ", ")));
+  }
+  return named;
+}
+
 Result<ExitCode> runSelftest(const SelftestCommand& command) {
   setDriverThreads(command.options.threads);
   std::vector<std::string> paths;
@@ -286,8 +324,13 @@ Result<ExitCode> runSelftest(const SelftestCommand& command) {
     writers.emplace_back([&](ByteSink& to) { return to.write(jsonOf(*report)); });
   }
   VORPIPE_TRY(writeOutputs(files, writers));
-  if (report->passed()) return exit_done;
-  printError("a promise is broken: " + firstFault(*report));
+  std::string fault = report->passed() ? "" : "a promise is broken: " + firstFault(*report);
+  for (const BackendDevice& required : command.required) {
+    const std::string lack = lackOf(*report, required);
+    if (fault.empty() && !lack.empty()) fault = "--require: " + lack;
+  }
+  if (fault.empty()) return exit_done;
+  printError(fault);
   return exit_different;
 }
 
@@ -305,6 +348,15 @@ void addSelftest(CommandLine& line) {
             {backendNames(), {}});
   options.addText("--device", wanted.device, "DEVICE",
                   "the device: its index or a part of its name, as `vorpipe devices` lists them [all]");
+  addRepeatable(
+      options, "--require", "NAME[:DEVICE],...",
+      "backends, perhaps with a device, that must be among those tested; exit code 1 if one cannot be "
+      "used here; repeatable",
+      parseRequired,
+      [required = &command->required](const std::vector<BackendDevice>& named) {
+        required->insert(required->end(), named.begin(), named.end());
+      },
+      {requirable(), {}, true});
   options.group("Run");
   options.addFlag("--quick", wanted.quick, "fewer and smaller scenes: seconds instead of minutes");
   addParsed(options, "--seed", wanted.seed, "S", "seed of the scenes [1]",

@@ -35,7 +35,7 @@ std::string escaped(char c) {
   }
 }
 
-/// Returns text in the form for typed text.
+/// Returns text that a user types, as a man page has it.
 std::string literal(std::string_view text) {
   std::string roff;
   for (const char c : text) {

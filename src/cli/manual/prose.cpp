@@ -9,7 +9,8 @@ namespace {
 const std::vector<Prose> pages = {
     {"",
      {"`vorpipe` computes and draws Voronoi diagrams of sites in the plane: for each site its cell, "
-      "which is nearer to it than to any other site. With weights these are power diagrams. The domain "
+      "which is nearer to it than to any other site, also called its Thiessen polygon or Dirichlet cell. "
+      "With weights these are power diagrams, also called Laguerre or radical tessellations. The domain "
       "is a box, a box that repeats itself, or polygons with holes.",
       "Cells are found on a graphics device through Vulkan or OpenGL 4.1, by Mesa's software drivers, "
       "or by the CPU alone. Every cell is certified complete, and neighbors agree about the edge "
@@ -127,8 +128,10 @@ const std::vector<Prose> pages = {
         "vorpipe diff a.npy b.npy --sites square:100 -o where.png"}},
       {"See whether two runs draw the same to the bit:",
        {"vorpipe render --backend cpu --sites random:100 -o a.png",
-        "vorpipe render --backend cpu --sites random:100 --threads 1 -o b.png",
-        "vorpipe diff a.png b.png"}}}},
+        "vorpipe render --backend cpu --sites random:100 --threads 1 -o b.png", "vorpipe diff a.png b.png"}},
+      {"Allow what drivers may do otherwise, with a report for a script:",
+       {"vorpipe render --backend opengl --sites random:100 -o c.png",
+        "vorpipe diff a.png c.png --max-difference 2 --max-pixels 20 --json diff.json"}}}},
     {"compare",
      {"The same sites are drawn and computed on each backend, and every pair is compared, pixel by "
       "pixel and cell by cell. It is a difference where pixels differ by more than ties, or cells by "
@@ -139,7 +142,10 @@ const std::vector<Prose> pages = {
       {"See where the pictures of two backends differ:",
        {"vorpipe compare --backends opengl,cpu --sites square:100 --size 200x200 -o side-by-side.png"}},
       {"Verify each of them besides:",
-       {"vorpipe compare --backends vulkan-compute,cpu --sites clusters:500 --size 100x100 --check"}}}},
+       {"vorpipe compare --backends vulkan-compute,cpu --sites clusters:500 --size 100x100 --check"}},
+      {"Compare with ids that an earlier run wrote:",
+       {"vorpipe render --sites hex:100 --size 200 --ids kept.npy",
+        "vorpipe compare --backends opengl --sites hex:100 --reference kept.npy"}}}},
     {"rerun",
      {"`--stats` of `render`, `cells`, `relax`, `transport` and `compare` writes the arguments of a "
       "run, and for each file that it read and wrote how many bytes it has and their hash, as "

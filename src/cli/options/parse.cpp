@@ -8,6 +8,7 @@
 #include <charconv>
 #include <cmath>
 
+#include "base/try.h"
 #include "cli/options/unknown_option.h"
 #include "io/base/extension.h"
 #include "io/base/number.h"
@@ -208,23 +209,29 @@ Parsed<ColorBy> parseColor(std::string_view text) { return valueIn(colors, text)
 
 Parsed<std::string> parseColormap(std::string_view text) { return oneOf(colormaps(), text); }
 
-Parsed<std::vector<std::string>> parseBackendList(std::string_view text) {
-  std::vector<std::string> names;
-  for (const std::string_view name : split(text, ',')) {
-    if (name.empty()) return bad(fmt::format("{} has an empty name", inQuotes(text)));
-    if (std::ranges::find(names, name) != names.end()) {
-      return bad(fmt::format("{} is named twice", inQuotes(name)));
+Parsed<std::vector<BackendDevice>> parseBackendDevices(std::string_view text) {
+  std::vector<BackendDevice> named;
+  for (const std::string_view item : split(text, ',')) {
+    if (item.empty()) return bad(fmt::format("{} has an empty name", inQuotes(text)));
+    if (std::ranges::find(named, item, &BackendDevice::text) != named.end()) {
+      return bad(fmt::format("{} is named twice", inQuotes(item)));
     }
-    auto known = parseBackend(name);
-    if (!known) return bad(std::move(known.error()));
-    names.push_back(std::move(*known));
+    const std::size_t colon = std::min(item.find(':'), item.size());
+    VORPIPE_VAR(backend, parseBackend(item.substr(0, colon)));
+    if (colon + 1 == item.size()) return bad(fmt::format("{} names no device", inQuotes(item)));
+    const std::string device(colon < item.size() ? item.substr(colon + 1) : "");
+    named.push_back({std::string(item), std::move(backend), device});
   }
-  return names;
+  return named;
 }
 
-Parsed<std::vector<std::string>> parseBackends(std::string_view text) {
-  auto names = parseBackendList(text);
-  if (names && names->size() < 2) return bad("needs at least two backends, as in cpu,vulkan-geometry");
+Parsed<std::vector<std::string>> parseBackendList(std::string_view text) {
+  VORPIPE_LET(named, parseBackendDevices(text));
+  std::vector<std::string> names;
+  for (const BackendDevice& each : named) {
+    if (!each.device.empty()) return bad(fmt::format("{} names a device", inQuotes(each.text)));
+    names.push_back(each.backend);
+  }
   return names;
 }
 

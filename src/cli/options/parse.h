@@ -81,8 +81,15 @@ Parsed<std::string> parseColormap(std::string_view text);
 /// Different backendNames(), separated by commas.
 Parsed<std::vector<std::string>> parseBackendList(std::string_view text);
 
-/// The same, two or more.
-Parsed<std::vector<std::string>> parseBackends(std::string_view text);
+/// A backend and one of its devices, as in `vulkan-compute:0`.
+struct BackendDevice {
+  std::string text;     ///< as it was given
+  std::string backend;  ///< one of backendNames()
+  std::string device;   ///< an index, or a part of a name; empty: not given
+};
+
+/// Different `NAME` or `NAME:DEVICE`, separated by commas.
+Parsed<std::vector<BackendDevice>> parseBackendDevices(std::string_view text);
 
 /// A file name with `extension`, such as ".png", or without any (/dev/stdout); any name if `extension` is
 /// empty.

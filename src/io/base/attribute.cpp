@@ -14,7 +14,7 @@ bool takeDigits(std::string_view& text) {
   return count > 0;
 }
 
-/// Whether a double approximates a number: JSON readers refuse others.
+/// Whether some double is near this number: readers of JSON refuse numbers beyond all doubles.
 bool hasValue(std::string_view number) {
   constexpr std::size_t most_digits = 308;
   if (number.size() <= most_digits && number.find_first_of("eE") == std::string_view::npos) return true;

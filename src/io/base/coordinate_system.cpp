@@ -237,8 +237,9 @@ SystemsAre compared(const CoordinateSystem& a, const CoordinateSystem& b) {
 Result<void> readSystemBeside(const std::string& path, CoordinateSystem& system) {
   constexpr std::size_t longest = std::size_t{1} << 20;  // bytes
   if (path == "-" || hasName(system)) return {};
-  const std::string beside = besides(path, ".prj");
   std::error_code none;
+  std::string beside = besides(path, ".prj");
+  if (!std::filesystem::is_regular_file(beside, none)) beside = besides(path, ".PRJ");
   if (!std::filesystem::is_regular_file(beside, none)) return {};
   VORPIPE_VAR(file, InputFile::open(beside));
   VORPIPE_LET(text, readText(file, longest));

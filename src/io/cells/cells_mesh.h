@@ -17,7 +17,7 @@ struct CellsMesh {
   std::vector<Point> points;           ///< each position once, in the order of first use by the faces
   std::vector<std::int32_t> corners;   ///< indices of points, counter-clockwise, face after face
   std::vector<std::uint64_t> offsets;  ///< size: faces + 1; where the corners of each face begin
-  std::vector<std::uint32_t> sites;    ///< by face, ascending
+  std::vector<std::uint32_t> sites;    ///< the site of each face, ascending
   [[nodiscard]] std::size_t size() const { return sites.size(); }
   [[nodiscard]] std::span<const std::int32_t> cornersOf(std::size_t face) const {
     return std::span(corners).subspan(offsets[face], offsets[face + 1] - offsets[face]);

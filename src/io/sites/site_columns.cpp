@@ -141,7 +141,7 @@ Found chosenColumns(std::span<const std::string> names, std::span<const std::str
   return columns;
 }
 
-/// Sets weight by the header.
+/// Finds the column of weights, if the header names one.
 tl::expected<void, ColumnProblem> findWeight(std::span<const std::string> names, CsvColumns& columns) {
   VORPIPE_LET(weight,
               onlyColumn(names, [](const std::string& name) { return weightNamed(name, true).has_value(); }));
@@ -150,7 +150,7 @@ tl::expected<void, ColumnProblem> findWeight(std::span<const std::string> names,
   return {};
 }
 
-/// Sets x and y, or the column of WKT.
+/// Finds the columns of x and y by the header, or that of WKT.
 tl::expected<void, ColumnProblem> findPositions(std::span<const std::string> names, CsvColumns& columns) {
   auto x = exactly(names, "x");
   auto y = exactly(names, "y");

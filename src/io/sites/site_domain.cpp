@@ -83,6 +83,10 @@ Result<void> checkSystems(const Request& request) {
     case SystemsAre::different:
       break;
   }
+  if (settings.project) {
+    return inputError(fmt::format("{}; {} takes both in degrees, as ogr2ogr -t_srs EPSG:4326 makes them",
+                                  both, words.project));
+  }
   return inputError(fmt::format("{}; take one to the system of the other, as ogr2ogr -t_srs {} does", both,
                                 hasName(of_sites) ? nameOf(of_sites) : "EPSG:4326"));
 }

@@ -62,6 +62,14 @@ TEST(Script, IsReadAsItWasWritten) {
   EXPECT_EQ(linesOf(*again), linesOf(*script));
 }
 
+TEST(Script, NamesKeysAsTheWindowDoes) {
+  const auto script =
+      parseScript("play.txt", "key page_up\nkey pagedown\nkey bracketleft\nkey right_bracket\n");
+  ASSERT_TRUE(script) << script.error().message;
+  EXPECT_EQ(linesOf(*script), (std::vector<std::string>{"key page_up", "key page_down", "key left_bracket",
+                                                        "key right_bracket"}));
+}
+
 TEST(Script, SaysWhereItIsWrong) {
   EXPECT_EQ(refused("wait\n jump 1"),
             "play.txt:2:2: \"jump\" is no event: move, press, release, scroll, key, text, resize, minimize, "
