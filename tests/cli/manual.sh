@@ -36,7 +36,7 @@ for subcommand in $subcommands; do
   case_of "groups of $subcommand"
   "$vorpipe" "$subcommand" --help >files/help
   groups=$(grep -oE '^[A-Z][a-z]+:$' files/help | tr -d : | grep -vx 'Positionals\|Examples\?')
-  ordered=$(for group in Input Domain Cells Relaxation Masses Fluid Picture Window Measurement Output Device Run Help; do
+  ordered=$(for group in Input Domain Cells Relaxation Masses Fluid Picture Window Measurement Comparison Output Device Run Help; do
     grep -x $group <<<"$groups"
   done)
   [ "$groups" = "$ordered" ] || fail "they are: $(xargs <<<"$groups")"

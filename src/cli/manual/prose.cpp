@@ -131,7 +131,7 @@ const std::vector<Prose> pages = {
         "vorpipe render --backend cpu --sites random:100 --threads 1 -o b.png", "vorpipe diff a.png b.png"}},
       {"Allow what drivers may do otherwise, with a report for a script:",
        {"vorpipe render --backend opengl --sites random:100 -o c.png",
-        "vorpipe diff a.png c.png --max-difference 2 --max-pixels 20 --json diff.json"}}}},
+        "vorpipe diff a.png c.png --max-difference 2 --max-pixels 200 --json diff.json"}}}},
     {"compare",
      {"The same sites are drawn and computed on each backend, and every pair is compared, pixel by "
       "pixel and cell by cell. It is a difference where pixels differ by more than ties, or cells by "
