@@ -18,14 +18,16 @@
 #include "members.h"
 #include "results.h"
 
+namespace vorpipe {
+
+template <>
+inline constexpr std::array<std::string_view, 5> names_of<AttributeType>{"integer", "real", "boolean", "text",
+                                                                         "json"};
+
+}  // namespace vorpipe
+
 namespace vorpipe::python {
 namespace {
-
-constexpr Choices<AttributeType, 5> type_choices = {{{"integer", AttributeType::integer},
-                                                     {"real", AttributeType::real},
-                                                     {"boolean", AttributeType::boolean},
-                                                     {"text", AttributeType::text},
-                                                     {"json", AttributeType::json}}};
 
 std::int64_t integerOf(std::string_view text) {
   std::int64_t value = 0;
@@ -134,7 +136,7 @@ void addBooleans(Attributes& attributes, const std::string& name, const py::arra
 
 void addTexts(Attributes& attributes, const std::string& name, const std::string& type,
               const std::vector<std::optional<std::string>>& values) {
-  Attribute attribute(name, chosen("attributes", type_choices, type));
+  Attribute attribute(name, chosen<AttributeType>("attributes", type));
   for (const auto& value : values) {
     attribute.add(value ? std::optional<std::string_view>(*value) : std::nullopt);
   }
@@ -162,7 +164,7 @@ void defineAttributes(py::module_& module) {
       .def(
           "type",
           [](const Attributes& attributes, std::size_t column) {
-            return nameIn(type_choices, attributes.columns.at(column).type());
+            return nameOf(attributes.columns.at(column).type());
           },
           py::arg("column"))
       .def_property_readonly("names", &namesOf)

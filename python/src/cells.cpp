@@ -20,9 +20,8 @@ using SharedCells = std::shared_ptr<CellsResult>;
 
 void requireDetail(const CellsResult& result, std::string_view extension, Detail detail) {
   if (detail <= result.options.detail) return;
-  raiseInput("detail",
-             fmt::format("{} takes cells that were computed with detail='{}'; these have '{}'", extension,
-                         nameIn(detail_choices, detail), nameIn(detail_choices, result.options.detail)));
+  raiseInput("detail", fmt::format("{} takes cells that were computed with detail='{}'; these have '{}'",
+                                   extension, nameOf(detail), nameOf(result.options.detail)));
 }
 
 /// The property of a CellsResult that shows an array of its diagram.
@@ -96,8 +95,8 @@ void defineCells(py::module_& module) {
       .def("__len__", [](const CellsResult& result) { return result.diagram.status.size(); })
       .def_property_readonly(
           "input", [](const CellsResult& result) { return std::const_pointer_cast<Input>(result.input); })
-      .def_property_readonly(
-          "detail", [](const CellsResult& result) { return nameIn(detail_choices, result.options.detail); })
+      .def_property_readonly("detail",
+                             [](const CellsResult& result) { return nameOf(result.options.detail); })
       .def_property_readonly(
           "report",
           [](const SharedCells& result) { return std::shared_ptr<Report>(result, &result->diagram.report); })

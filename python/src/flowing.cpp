@@ -19,10 +19,6 @@
 namespace vorpipe::python {
 namespace {
 
-constexpr Choices<FluidScheme, 2> scheme_names = {
-    {{"springs", FluidScheme::springs}, {"projection", FluidScheme::projection}}};
-constexpr Choices<FluidEnd, 3> fluid_ends = {
-    {{"time", FluidEnd::time}, {"areas", FluidEnd::areas}, {"cancelled", FluidEnd::cancelled}}};
 using SharedFluid = std::shared_ptr<FluidRun>;
 
 std::vector<Point> rowsOf(const Numbers& numbers) {
@@ -64,14 +60,14 @@ void choose(FluidSetup& setup, const std::optional<std::string>& scheme, std::op
             std::optional<std::uint64_t> diagrams, const std::optional<std::array<double, 2>>& gravity,
             const std::string& search, int neighbors) {
   FluidOptions& options = setup.options;
-  if (scheme) options.scheme = chosen("scheme", scheme_names, *scheme);
+  if (scheme) options.scheme = chosen<FluidScheme>("scheme", *scheme);
   options.step = step.value_or(options.step);
   options.epsilon = epsilon.value_or(options.epsilon);
   options.until = until.value_or(options.until);
   options.tolerance = tolerance.value_or(options.tolerance);
   options.diagrams = diagrams.value_or(options.diagrams);
   if (gravity) options.gravity = {(*gravity)[0], (*gravity)[1]};
-  options.search = {chosen("search", search_choices, search), neighbors};
+  options.search = {chosen<Search>("search", search), neighbors};
 }
 
 /// The property of a fluid that shows an array of its state, which stays as it was then.
@@ -234,14 +230,12 @@ void defineFlowing(py::module_& module) {
                              [](const FluidRun& run) -> std::optional<std::string> {
                                const FluidEnd end = run.now()->end;
                                if (end == FluidEnd::none) return std::nullopt;
-                               return std::string(nameIn(fluid_ends, end));
+                               return std::string(nameOf(end));
                              })
       .def_property_readonly("until", [](const FluidRun& run) { return run.now()->options.until; })
-      .def_property_readonly(
-          "scheme", [](const FluidRun& run) { return nameIn(scheme_names, run.now()->options.scheme); })
-      .def_property_readonly(
-          "periodic",
-          [](const FluidRun& run) { return nameIn(periodic_choices, run.now()->options.periodic); })
+      .def_property_readonly("scheme", [](const FluidRun& run) { return nameOf(run.now()->options.scheme); })
+      .def_property_readonly("periodic",
+                             [](const FluidRun& run) { return nameOf(run.now()->options.periodic); })
       .def_property_readonly("free_surface",
                              [](const FluidRun& run) { return run.now()->options.surface == Surface::free; })
       .def_property_readonly("domain",

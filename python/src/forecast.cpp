@@ -45,7 +45,7 @@ std::tuple<std::uint64_t, Parts, std::uint64_t, std::string> told(const MemoryPl
 
 auto forecastCells(SharedSession& session, const Input& input, const std::string& detail, bool checked,
                    int threads) {
-  const Detail wanted = chosen("detail", detail_choices, detail);
+  const Detail wanted = chosen<Detail>("detail", detail);
   const Workload work = workloadOf(input, ImagesFor::cells, session, threads);
   MemoryPlan plan;
   planInput(plan, input);

@@ -191,7 +191,7 @@ std::shared_ptr<Input> inputOf(const GivenPoints& points, const std::optional<Nu
   auto input = std::make_shared<Input>();
   takeSites(points, system, domain, *input);
   takeWeights(points, weights, *input);
-  input->periodic = chosen("periodic", periodic_choices, periodic);
+  input->periodic = chosen<Periodic>("periodic", periodic);
   takeDomain(domain, points, *input);
   return input;
 }
@@ -258,8 +258,7 @@ void defineInput(py::module_& module) {
                                const Box& box = input.domain;
                                return std::array{box.xmin, box.ymin, box.xmax, box.ymax};
                              })
-      .def_property_readonly("periodic",
-                             [](const Input& input) { return nameIn(periodic_choices, input.periodic); })
+      .def_property_readonly("periodic", [](const Input& input) { return nameOf(input.periodic); })
       .def_property_readonly("has_outline", [](const Input& input) { return !input.outline.empty(); })
       .def_property_readonly("has_density", [](const Input& input) { return !input.density.values.empty(); })
       .def(pickles<Input>());

@@ -43,15 +43,15 @@ Look lookOf(const std::optional<std::pair<int, int>>& size, const std::optional<
   Look look;
   if (size) look.size = PictureSize{size->first, size->second};
   RenderOptions& options = look.options;
-  if (fit) look.fit = chosen("fit", fit_choices, *fit);
-  options.color = chosen("color", color_choices, colors.by);
+  if (fit) look.fit = chosen<Fit>("fit", *fit);
+  options.color = chosen<ColorBy>("color", colors.by);
   options.colormap = colors.map;
-  if (colors.scale) options.color_scale = chosen("color_scale", scale_choices, *colors.scale);
+  if (colors.scale) options.color_scale = chosen("color_scale", *colors.scale, ColorScale::linear);
   if (colors.range) options.color_range = ColorRange{colors.range->first, colors.range->second};
   options.legend = colors.legend;
   options.fill = colors.fill;
   takeMarks(marks, options);
-  options.search = {chosen("search", search_choices, search), neighbors};
+  options.search = {chosen<Search>("search", search), neighbors};
   if (view) options.view = Box{(*view)[0], (*view)[1], (*view)[2], (*view)[3]};
   return look;
 }

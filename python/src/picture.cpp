@@ -76,8 +76,8 @@ void savePicture(const PictureResult& result, const std::string& path) {
 
 void defineKey(py::module_& module) {
   py::class_<ColorKey>(module, "ColorKey", "What the colors of a picture stand for.")
-      .def_property_readonly("color", [](const ColorKey& key) { return nameIn(color_choices, key.color); })
-      .def_property_readonly("scale", [](const ColorKey& key) { return nameIn(scale_choices, key.scale); })
+      .def_property_readonly("color", [](const ColorKey& key) { return nameOf(key.color); })
+      .def_property_readonly("scale", [](const ColorKey& key) { return nameOf(key.scale); })
       .def_property_readonly("range",
                              [](const ColorKey& key) { return std::pair(key.range.low, key.range.high); })
       .def_readonly("ticks", &ColorKey::ticks)

@@ -20,12 +20,6 @@
 namespace vorpipe::python {
 namespace {
 
-constexpr Choices<RelaxMethod, 2> method_choices = {
-    {{"lbfgs", RelaxMethod::lbfgs}, {"lloyd", RelaxMethod::lloyd}}};
-constexpr Choices<RelaxEnd, 4> end_choices = {{{"iterations", RelaxEnd::iterations},
-                                               {"tolerance", RelaxEnd::tolerance},
-                                               {"stagnated", RelaxEnd::stagnated},
-                                               {"cancelled", RelaxEnd::cancelled}}};
 using SharedRelaxed = std::shared_ptr<RelaxResult>;
 
 /// The sites as the caller has them: in degrees where they are projected.
@@ -81,8 +75,8 @@ RelaxOptions relaxOptionsOf(const Input& input, const RelaxArguments& given) {
   options.periodic = input.periodic;
   options.density = input.density;
   options.equal_masses = given.equal_masses;
-  options.search = {chosen("search", search_choices, given.search), given.neighbors};
-  options.method = chosen("method", method_choices, given.method);
+  options.search = {chosen<Search>("search", given.search), given.neighbors};
+  options.method = chosen<RelaxMethod>("method", given.method);
   options.iterations = given.iterations;
   options.tolerance = given.tolerance;
   return options;
@@ -100,8 +94,7 @@ void defineRelaxing(py::module_& module) {
       .def_property_readonly("farthest", traced(&RelaxStep::farthest))
       .def_property_readonly("seconds", traced(&RelaxStep::seconds))
       .def_property_readonly("taken", &takenSteps)
-      .def_property_readonly(
-          "end", [](const RelaxResult& result) { return nameIn(end_choices, result.relaxed.end); })
+      .def_property_readonly("end", [](const RelaxResult& result) { return nameOf(result.relaxed.end); })
       .def_property_readonly("report",
                              [](const SharedRelaxed& result) {
                                return std::shared_ptr<Report>(result, &result->relaxed.report);

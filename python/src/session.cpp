@@ -88,8 +88,8 @@ std::shared_ptr<CellsResult> SharedSession::cells(const std::shared_ptr<const In
                                                   const std::string& detail, const std::string& search,
                                                   int neighbors, const py::object& progress) {
   CellsOptions options = cellsOptionsOf(*input);
-  options.detail = chosen("detail", detail_choices, detail);
-  options.search = {chosen("search", search_choices, search), neighbors};
+  options.detail = chosen<Detail>("detail", detail);
+  options.search = {chosen<Search>("search", search), neighbors};
   return find(input, std::move(options), progress);
 }
 

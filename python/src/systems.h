@@ -8,11 +8,14 @@
 #include "choices.h"
 #include "io/base/coordinate_system.h"
 
-namespace vorpipe::python {
+namespace vorpipe {
 
-inline constexpr Choices<CoordinateKind, 3> kind_choices = {{{"unknown", CoordinateKind::unknown},
-                                                             {"degrees", CoordinateKind::degrees},
-                                                             {"plane", CoordinateKind::plane}}};
+template <>
+inline constexpr std::array<std::string_view, 3> names_of<CoordinateKind>{"unknown", "degrees", "plane"};
+
+}  // namespace vorpipe
+
+namespace vorpipe::python {
 
 /// The kind of coordinates, who gave the code, the code, the definition in WKT: vorpipe/_crs.py makes a name
 /// of them.
@@ -20,12 +23,11 @@ using SystemArguments = std::tuple<std::string, std::string, std::int64_t, std::
 
 inline CoordinateSystem systemOf(const SystemArguments& arguments) {
   const auto& [kind, organization, code, definition] = arguments;
-  return {chosen("crs", kind_choices, kind), organization, code, definition, {}};
+  return {chosen<CoordinateKind>("crs", kind), organization, code, definition, {}};
 }
 
 inline SystemArguments argumentsOf(const CoordinateSystem& system) {
-  return {std::string(nameIn(kind_choices, system.kind)), system.organization, system.code,
-          system.definition};
+  return {std::string(nameOf(system.kind)), system.organization, system.code, system.definition};
 }
 
 }  // namespace vorpipe::python

@@ -81,7 +81,7 @@ std::optional<NamedColumns> columnsNamed(const std::vector<std::string>& names) 
                       found->geometry,
                       found->weight,
                       found->weight_kind == WeightKind::radius,
-                      std::string(nameIn(kind_choices, found->kind)),
+                      std::string(nameOf(found->kind)),
                       inWords(found->note, words_of_tables)};
 }
 

@@ -17,10 +17,6 @@
 namespace vorpipe::python {
 namespace {
 
-constexpr Choices<TransportEnd, 4> transport_ends = {{{"converged", TransportEnd::converged},
-                                                      {"stagnated", TransportEnd::stagnated},
-                                                      {"diagrams", TransportEnd::diagrams},
-                                                      {"cancelled", TransportEnd::cancelled}}};
 using SharedTransport = std::shared_ptr<TransportResult>;
 
 template <class Value>
@@ -80,7 +76,7 @@ TransportOptions transportOptionsOf(const Input& input, const TransportArguments
   options.periodic = input.periodic;
   options.density = input.density;
   options.surface = given.free_surface || given.fill ? Surface::free : Surface::none;
-  options.search = {chosen("search", search_choices, given.search), given.neighbors};
+  options.search = {chosen<Search>("search", given.search), given.neighbors};
   options.masses = given.masses;
   options.tolerance = given.tolerance;
   options.diagrams = given.diagrams;
@@ -120,8 +116,7 @@ void defineTransporting(py::module_& module) {
       .def_property_readonly("centroids", &centroidsOf)
       .def_property_readonly("trace", &traceOf)
       .def_property_readonly("cost", [](const TransportResult& result) { return result.found.cost; })
-      .def_property_readonly(
-          "end", [](const TransportResult& result) { return nameIn(transport_ends, result.found.end); })
+      .def_property_readonly("end", [](const TransportResult& result) { return nameOf(result.found.end); })
       .def_property_readonly("report",
                              [](const SharedTransport& result) {
                                return std::shared_ptr<Report>(result, &result->found.report);

@@ -1,14 +1,17 @@
-/// Options of pictures that the program, the checks of the library and Python have alike: a row has the name,
-/// range and help of one; its default is that of the struct. Flags and help of the command line, messages,
-/// and the arguments and pickles of Python come from the rows.
+/// Options that the program, the library and Python have alike: a row has the name, range and help of one;
+/// its default is that of the struct. Flags and help of the command line, messages, checks of the library,
+/// the commands that the window copies, and the arguments and pickles of Python come from the rows.
 #pragma once
 
 #include <algorithm>
 #include <array>
+#include <cstdint>
+#include <limits>
 #include <string>
 #include <string_view>
 #include <tuple>
 
+#include "base/option_names.h"
 #include "vorpipe.h"
 
 namespace vorpipe {
@@ -30,6 +33,26 @@ struct NumberRow {
   const char* unit;                          ///< in messages, after a space
   const char* value;                         ///< its name in help
   const char* help;                          ///< {0} is `least_given`, {1} is `most`, {2} is the default
+  const char* range = nullptr;               ///< in messages, if it is not a number from one to another
+  const char* zero = nullptr;                ///< a word for 0
+  const char* flag = nullptr;                ///< of the command line, if it is not made of the name
+};
+
+/// One of the names of an enumeration.
+template <class Struct, class Enum>
+struct ChoiceRow {
+  const char* name;
+  Enum Struct::*member;
+  const char* value;
+  const char* help;
+};
+
+template <class Struct>
+struct PointRow {
+  const char* name;
+  Point Struct::*member;
+  const char* value;
+  const char* help;
 };
 
 inline constexpr FlagRow<RenderOptions> edges_row{"edges", &RenderOptions::edges,
@@ -88,6 +111,87 @@ inline constexpr std::tuple mark_rows{edges_row,    dual_row,   edge_width_row, 
                                       dot_size_row, labels_row, label_size_row};
 inline constexpr auto picture_rows = std::tuple_cat(mark_rows, std::tuple{antialias_row});
 
+inline constexpr double without_end = std::numeric_limits<double>::infinity(),
+                        above_zero = std::numeric_limits<double>::denorm_min();
+
+inline constexpr std::tuple relax_rows{
+    ChoiceRow<RelaxOptions, RelaxMethod>{
+        "method", &RelaxOptions::method, "NAME",
+        "how sites move: lbfgs, which comes as far in 30 diagrams as Lloyd's steps in 200; or lloyd, "
+        "each to the centroid of its cell [{}]"},
+    NumberRow<RelaxOptions, std::uint64_t>{"iterations",
+                                           &RelaxOptions::iterations,
+                                           0,
+                                           UINT32_MAX,
+                                           0,
+                                           {},
+                                           "",
+                                           "N",
+                                           "the most diagrams to compute after the first [{2}]"},
+    NumberRow<RelaxOptions, double>{
+        "tolerance",
+        &RelaxOptions::tolerance,
+        0,
+        without_end,
+        0,
+        {},
+        "",
+        "T",
+        "ends when no site would move farther than this part of the spacing, the square root of the mean "
+        "area [{2}: never]",
+        "a number of 0 or more"}};
+
+inline constexpr FlagRow<RelaxOptions> equal_masses_row{
+    "equal_masses", &RelaxOptions::equal_masses,
+    "relaxes under the square of the density: then cells get equal masses, as stippling wants "
+    "it; else sites are as dense as its square root"};
+
+inline constexpr std::tuple transport_rows{
+    NumberRow<TransportOptions, double>{
+        "tolerance",
+        &TransportOptions::tolerance,
+        above_zero,
+        without_end,
+        above_zero,
+        {},
+        "",
+        "T",
+        "ends when no cell differs from its mass by more than this part of it [{2}]",
+        "a number above 0"},
+    NumberRow<TransportOptions, std::uint64_t>{"diagrams",
+                                               &TransportOptions::diagrams,
+                                               1,
+                                               UINT32_MAX,
+                                               1,
+                                               {},
+                                               "",
+                                               "N",
+                                               "the most diagrams to compute [{2}]"}};
+
+/// Returns a row of what must be more than 0.
+constexpr NumberRow<FluidOptions, double> fluidRow(const char* name, double FluidOptions::*member,
+                                                   const char* value, const char* help,
+                                                   const char* zero = nullptr, const char* flag = nullptr) {
+  return {name, member, above_zero, without_end, above_zero, {}, "", value, help, "more than 0", zero, flag};
+}
+
+/// {2} in the help of `until` is when a fluid ends without it.
+inline constexpr std::tuple fluid_rows{
+    fluidRow("until", &FluidOptions::until, "T", "the time at which it ends [{2}]", nullptr, "--time"),
+    fluidRow("step", &FluidOptions::step, "S",
+             "time of a step; auto: as long as speeds and springs allow [auto]", "auto"),
+    ChoiceRow<FluidOptions, FluidScheme>{
+        "scheme", &FluidOptions::scheme, "NAME",
+        "springs, which pull sites to the centroids of their cells, and have free surfaces; or projection, "
+        "with reflection: more exact for smooth flows, in domains that are full [{}]"},
+    fluidRow(
+        "epsilon", &FluidOptions::epsilon, "E",
+        "softness of springs, a time: they swing in 2 pi of it [2 spacings of cells over the largest first "
+        "speed, or over half of that of a fall from the top; 3 spacings with a free surface]"),
+    PointRow<FluidOptions>{"gravity", &FluidOptions::gravity, "GX,GY", "acceleration [as the case has it]"},
+    fluidRow("tolerance", &FluidOptions::tolerance, "T",
+             "no area differs from its own by more than this part of it [{2}]")};
+
 /// Calls `visit` with each row of a table.
 template <class Rows, class Visit>
 constexpr void forEachRow(const Rows& rows, const Visit& visit) {
@@ -103,6 +207,9 @@ inline std::string nameWith(char separator, std::string name) {
 /// Returns the name of a row's option on the command line.
 template <class Row>
 std::string flagOf(const Row& row) {
+  if constexpr (requires { row.flag; }) {
+    if (row.flag != nullptr) return row.flag;
+  }
   return "--" + nameWith('-', row.name);
 }
 

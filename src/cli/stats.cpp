@@ -10,6 +10,7 @@
 #include <numeric>
 #include <utility>
 
+#include "base/option_names.h"
 #include "base/parallel.h"
 #include "bench/machine.h"
 #include "io/base/error.h"
@@ -53,17 +54,6 @@ std::uint64_t peakMemoryBytes() {
   constexpr std::uint64_t unit = kilobyte;
 #endif
   return static_cast<std::uint64_t>(usage.ru_maxrss) * unit;
-}
-
-std::string_view axesOf(Periodic periodic) {
-  switch (periodic) {
-    case Periodic::x:
-      return "x";
-    case Periodic::y:
-      return "y";
-    default:
-      return "xy";
-  }
 }
 
 Json fileJson(const LoggedFile& file) {
@@ -169,7 +159,7 @@ void addShape(Json& json, const Input& input) {
   if (!input.outline.empty()) {
     json["outline"] = {{"polygons", input.outline.polygon_offsets.size() - 1}, {"rings", rings.size() - 1}};
   }
-  json["periodic"] = input.periodic == Periodic::none ? Json(nullptr) : Json(axesOf(input.periodic));
+  json["periodic"] = input.periodic == Periodic::none ? Json(nullptr) : Json(nameOf(input.periodic));
   json["projection"] = nullptr;
   if (input.projection) {
     const Point center = input.projection->center();

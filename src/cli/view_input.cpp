@@ -3,10 +3,10 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include <array>
 #include <memory>
 #include <utility>
 
+#include "base/option_names.h"
 #include "base/try.h"
 #include "cli/input.h"
 #include "cli/run.h"
@@ -63,10 +63,7 @@ void addDomain(std::vector<std::string>& to, const InputOptions& options) {
     add(to, "--project",
         project->center ? fmt::format("{},{}", project->center->x, project->center->y) : "auto");
   }
-  constexpr std::array<std::string_view, 4> axes = {"none", "x", "y", "xy"};
-  if (options.periodic != Periodic::none) {
-    add(to, "--periodic", std::string(axes.at(static_cast<std::size_t>(options.periodic))));
-  }
+  if (options.periodic != Periodic::none) add(to, "--periodic", std::string(nameOf(options.periodic)));
 }
 
 /// Returns command-line options equivalent to these; empty for standard input.
@@ -127,7 +124,7 @@ Result<view::Opened> openFluidForView(const FluidChoices& choices, const Backend
                                       const SearchOptions& search) {
   VORPIPE_VAR(setup, startOf(choices));
   setup.options.search = search;
-  if (!choices.until) setup.options.until = FluidOptions{}.until;
+  if (!choices.given.contains("until")) setup.options.until = FluidOptions{}.until;
   VORPIPE_VAR(session, Session::open(backend));
   const auto fluid = Fluid::begin(session, std::move(setup.state), setup.options);
   if (!fluid) return asFluidOption(fluid.error(), choices);

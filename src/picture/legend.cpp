@@ -7,6 +7,7 @@
 #include <cmath>
 #include <cstdlib>
 
+#include "base/option_names.h"
 #include "picture/font.h"
 #include "picture/palette.h"
 #include "picture/pixels.h"
@@ -99,9 +100,7 @@ struct Contents {
 
 std::vector<std::string> titleOf(const ColorKey& key) {
   std::vector<std::string> title;
-  title.emplace_back(key.color == ColorBy::area        ? "area"
-                     : key.color == ColorBy::neighbors ? "neighbors"
-                                                       : "weight");
+  title.emplace_back(nameOf(key.color));
   if (key.scale == ColorScale::log) title.emplace_back("log");
   if (key.scale == ColorScale::quantile) title.emplace_back("quantiles");
   return title;

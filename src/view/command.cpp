@@ -2,8 +2,9 @@
 
 #include <fmt/format.h>
 
-#include <array>
 #include <utility>
+
+#include "base/option_rows.h"
 
 namespace vorpipe::view {
 namespace {
@@ -42,16 +43,6 @@ class Arguments {
   std::vector<std::string> all_;
 };
 
-template <class Enum, std::size_t N>
-std::string_view nameIn(const std::array<std::string_view, N>& names, Enum value) {
-  return names.at(static_cast<std::size_t>(value));
-}
-
-constexpr std::array<std::string_view, 4> color_names = {"site", "area", "neighbors", "weight"};
-constexpr std::array<std::string_view, 3> flow_color_names = {"none", "density", "speed"};
-constexpr std::array<std::string_view, 4> scale_names = {"automatic", "linear", "log", "quantile"};
-constexpr std::array<std::string_view, 4> periodic_names = {"none", "x", "y", "xy"};
-
 void addSites(Arguments& to, const Document& document, const CommandFiles& files) {
   const Opened& opened = document.opened();
   if (document.isAsOpened() && !opened.arguments.empty()) return to.append(opened.arguments);
@@ -61,15 +52,15 @@ void addSites(Arguments& to, const Document& document, const CommandFiles& files
   } else {
     to.add("--domain", files.outline);
   }
-  if (opened.periodic != Periodic::none) to.add("--periodic", nameIn(periodic_names, opened.periodic));
+  if (opened.periodic != Periodic::none) to.add("--periodic", nameOf(opened.periodic));
 }
 
 void addColors(Arguments& to, const RenderOptions& picture) {
   to.flag(!picture.fill, "--no-fill");
-  if (picture.color != ColorBy::site) to.add("--color", nameIn(color_names, picture.color));
+  if (picture.color != ColorBy::site) to.add("--color", nameOf(picture.color));
   to.option("--colormap", picture.colormap, RenderOptions{}.colormap);
   if (picture.color_scale != ColorScale::automatic) {
-    to.add("--color-scale", nameIn(scale_names, picture.color_scale));
+    to.add("--color-scale", nameOf(picture.color_scale));
   }
   if (picture.color_range) {
     to.add("--color-range", fmt::format("{},{}", picture.color_range->low, picture.color_range->high));
@@ -78,15 +69,17 @@ void addColors(Arguments& to, const RenderOptions& picture) {
 }
 
 void addMarks(Arguments& to, const RenderOptions& picture) {
-  const RenderOptions usual{};
-  to.flag(picture.edges, "--edges");
-  if (picture.edges || picture.dual) to.option("--edge-width", picture.edge_width, usual.edge_width);
-  to.flag(picture.show_sites, "--show-sites");
-  if (picture.show_sites) to.option("--dot-size", picture.dot_size, usual.dot_size);
-  to.flag(picture.dual, "--dual");
-  to.flag(picture.labels, "--labels");
-  if (picture.labels) to.option("--label-size", picture.label_size, usual.label_size);
-  to.option("--antialias", picture.antialias, usual.antialias);
+  forEachRow(picture_rows, [&](const auto& row) {
+    const auto& value = picture.*row.member;
+    if constexpr (requires { row.of; }) {
+      const auto draws = [&](const auto* flag) { return flag != nullptr && picture.*flag->member; };
+      if (row.of[0] == nullptr || draws(row.of[0]) || draws(row.of[1])) {
+        to.option(flagOf(row), value, RenderOptions{}.*row.member);
+      }
+    } else {
+      to.flag(value, flagOf(row));
+    }
+  });
   if (const SearchOptions& search = picture.search; search.method == Search::flann) {
     to.add("--search", fmt::format("flann:{}", search.neighbors));
   }
@@ -131,7 +124,7 @@ std::vector<std::string> commandForFluid(const std::string& checkpoint, const Re
   BackendOptions unmasked = backend;
   unmasked.mask = {};
   addPicture(arguments, picture, unmasked);
-  arguments.add("--flow-color", nameIn(flow_color_names, color));
+  arguments.add("--flow-color", nameOf(color));
   arguments.add("--frames", "frames");
   return arguments.take();
 }

@@ -5,10 +5,29 @@
 #include <memory>
 #include <vector>
 
+#include "base/option_names.h"
 #include "vorpipe/fluid.h"
 #include "vorpipe/picture.h"
 #include "vorpipe/result.h"
 #include "vorpipe/sites.h"
+
+namespace vorpipe::view {
+
+/// What the colors of a fluid's cells show.
+enum class FlowColor : std::uint8_t {
+  none,  ///< as ColorBy selects
+  density,
+  speed,
+};
+
+}  // namespace vorpipe::view
+
+namespace vorpipe {
+
+template <>
+inline constexpr std::array<std::string_view, 3> names_of<view::FlowColor>{"none", "density", "speed"};
+
+}  // namespace vorpipe
 
 namespace vorpipe::view {
 
@@ -34,13 +53,6 @@ Point periodsOf(const Box& domain, Periodic axes);
 
 /// Returns the value of `difference` modulo `period` that is nearest to 0; unchanged if the period is 0.
 double leastImage(double difference, double period);
-
-/// What the colors of a fluid's cells show.
-enum class FlowColor : std::uint8_t {
-  none,  ///< as ColorBy selects
-  density,
-  speed,
-};
 
 /// Returns density if there are several densities and cells would otherwise be colored by index.
 FlowColor usualFlowColor(const FluidState& state, ColorBy color);

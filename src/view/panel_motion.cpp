@@ -72,8 +72,6 @@ std::string energyText(const RelaxStep& step) {
                                        : fmt::format("{:.6g} after {} diagrams", step.energy, step.diagram);
 }
 
-// In the order of FluidScheme.
-const std::array<std::string, 2> scheme_names{"springs", "projection"};
 const std::array<std::uint64_t, 4> parcel_counts{512, 2048, 8192, 32768};
 
 void drawCases(PanelFrame& frame) {
@@ -139,7 +137,8 @@ void drawOptions(PanelFrame& frame) {
   FluidOptions options = frame.input.fluid->options;
   const bool is_full = options.surface == vorpipe::Surface::none;
   widgets.row("Scheme");
-  const int scheme = widgets.choice("Scheme", scheme_names, static_cast<int>(options.scheme), is_full);
+  const int scheme =
+      widgets.choice("Scheme", namesFrom<FluidScheme>(), static_cast<int>(options.scheme), is_full);
   if (!is_full) widgets.tooltip("Projection is for domains that are full");
   if (scheme >= 0 && scheme != static_cast<int>(options.scheme)) {
     options.scheme = static_cast<FluidScheme>(scheme);

@@ -97,7 +97,6 @@ void drawSwatch(std::span<const ImU32> colors, ImVec2 from, ImVec2 to) {
 }
 
 // In the order of their enumerations.
-const std::array<std::string, 4> color_choices{"site", "area", "neighbors", "weight"};
 const std::array<std::string, 3> flow_names{"off", "density", "speed"};
 const std::array<std::string, 4> scale_choices{"auto", "linear", "log", "quantile"};
 
@@ -211,7 +210,8 @@ void drawColor(PanelFrame& frame) {
   if (!widgets.group("Color")) return;
   FlowColor& flow = frame.result.settings.flow_color;
   const bool by_flow = frame.input.fluid && flow != FlowColor::none;
-  const int color = widgets.choice("Color", color_choices, by_flow ? -1 : static_cast<int>(picture.color));
+  const int color =
+      widgets.choice("Color", namesFrom<ColorBy>(), by_flow ? -1 : static_cast<int>(picture.color));
   if (color >= 0) colorBy(static_cast<ColorBy>(color), frame.result.settings);
   if (frame.input.fluid) {
     widgets.row("Fluid");

@@ -4,13 +4,18 @@
 #include <tuple>
 #include <utility>
 
+#include "base/option_rows.h"
+
 namespace vorpipe::view {
 namespace {
 
 auto tied(const RenderOptions& p) {
-  return std::tie(p.color, p.colormap, p.color_scale, p.legend, p.fill, p.antialias, p.edges, p.edge_width,
-                  p.show_sites, p.dot_size, p.dual, p.labels, p.label_size, p.search.method,
-                  p.search.neighbors);
+  return std::apply(
+      [&](const auto&... row) {
+        return std::tie(p.color, p.colormap, p.color_scale, p.legend, p.fill, p.search.method,
+                        p.search.neighbors, (p.*row.member)...);
+      },
+      picture_rows);
 }
 
 auto tied(const ColorRange& r) { return std::tie(r.low, r.high); }

@@ -80,11 +80,12 @@ Result<void> forecastCase(const FluidCommand& command) {
   const auto which = fluidCaseOf(choices.begin);
   if (!choices.resume.empty() || !which) return {};
   // The options of a case do not depend on its number of parcels.
-  const FluidOptions options = fluidCase(*which, 64).options;
+  FluidOptions options = fluidCase(*which, 64).options;
+  takeGiven(choices, options);
   Workload work;
   work.sites = choices.particles;
   work.periodic = options.periodic != Periodic::none;
-  const auto of_fluid = bytesOf(choices.scheme.value_or(options.scheme), options.surface, options.periodic);
+  const auto of_fluid = bytesOf(options.scheme, options.surface, options.periodic);
   return allowed(command, peakOf(command, work, of_fluid, options.domain)).map([](std::uint64_t) {});
 }
 

@@ -1,50 +1,29 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <functional>
 #include <iterator>
 #include <memory>
 #include <nlohmann/json.hpp>
+#include <set>
+#include <string_view>
 
 #include "base/try.h"
 #include "cli/commands/command.h"
 #include "cli/options/error_line.h"
+#include "cli/options/row_options.h"
 #include "cli/progress.h"
 #include "cli/result_files.h"
 #include "io/base/error.h"
-#include "io/base/number.h"
-#include "io/base/quoted.h"
 
 namespace vorpipe::cli {
 namespace {
 
 struct RelaxCommand : SitesOptions {
-  RelaxMethod method = RelaxMethod::lbfgs;
-  std::uint64_t iterations = 50;
-  double tolerance = 0;
-  bool equal_masses = false;
+  RelaxOptions options{};
+  std::set<std::string_view> given;  ///< names of given options
 };
-
-std::vector<std::string> methodNames() { return {"lbfgs", "lloyd"}; }
-
-Parsed<RelaxMethod> parseMethod(std::string_view text) {
-  if (text == "lbfgs") return RelaxMethod::lbfgs;
-  if (text == "lloyd") return RelaxMethod::lloyd;
-  return tl::unexpected(fmt::format("{} is not {}", inQuotes(text), anyOf(methodNames())));
-}
-
-Parsed<double> parseMoveTolerance(std::string_view text) {
-  VORPIPE_LET(number, parseNumber(text));
-  if (number >= 0) return number;
-  return tl::unexpected(fmt::format("{} is not a number of 0 or more", number));
-}
-
-std::string_view endWordOf(RelaxEnd end) {
-  constexpr std::array<std::string_view, 4> words{"iterations", "tolerance", "stagnated", "cancelled"};
-  return words[static_cast<std::size_t>(end)];
-}
 
 /// Plans the memory of a run: sites and steps besides the cells of a diagram, then files.
 void planRelaxation(const RelaxCommand& command, const SitesRun& run, MemoryPlan& plan, Workload work) {
@@ -52,7 +31,7 @@ void planRelaxation(const RelaxCommand& command, const SitesRun& run, MemoryPlan
   run.planDensityOf(plan, work);
   planSession(plan, work);
   const auto since = plan.next();
-  const bool newton = command.method == RelaxMethod::lbfgs;
+  const bool newton = command.options.method == RelaxMethod::lbfgs;
   plan.take("sites that move", (others + (newton ? steps_of_newton : 0)) * 2 * number * work.sites);
   plan.drop(planCells(plan, work, Detail::polygons));
   plan.dropSince(since);
@@ -67,16 +46,12 @@ std::string progressText(std::uint64_t diagram, const RelaxStep& step, std::uint
 }
 
 RelaxOptions relaxOptions(const RelaxCommand& command, const SitesRun& run) {
-  RelaxOptions options{};
+  RelaxOptions options = command.options;
   options.domain = run.input->domain;
   options.outline = run.input->outline;
   options.periodic = run.input->periodic;
   options.density = run.density.density;
-  options.equal_masses = command.equal_masses;
   options.search = command.search;
-  options.method = command.method;
-  options.iterations = command.iterations;
-  options.tolerance = command.tolerance;
   options.progress = untilSignal();
   return options;
 }
@@ -84,7 +59,7 @@ RelaxOptions relaxOptions(const RelaxCommand& command, const SitesRun& run) {
 /// Makes the diagrams, and writes the numbered files among them.
 Result<Relaxed> relaxSites(const RelaxCommand& command, SitesRun& run) {
   ProgressBar bar(command.talk.quiet);
-  const std::uint64_t every = command.targets.every, iterations = command.iterations;
+  const std::uint64_t every = command.targets.every, iterations = command.options.iterations;
   const auto whole = static_cast<double>(std::max<std::uint64_t>(iterations, 1));
   VORPIPE_VAR(relaxation, Relaxation::begin(*run.session, run.input->sites, relaxOptions(command, run)));
   Result<bool> more = true;
@@ -107,7 +82,7 @@ std::string relaxSummary(const Relaxed& relaxed) {
   if (std::isfinite(last.hexagonal)) {
     text += fmt::format(" ({:.4f} to {:.4f} of the hexagonal lattice's)", first.hexagonal, last.hexagonal);
   }
-  return text + fmt::format(" after {} diagrams ({})", relaxed.trace.back().diagram, endWordOf(relaxed.end));
+  return text + fmt::format(" after {} diagrams ({})", relaxed.trace.back().diagram, nameOf(relaxed.end));
 }
 
 /// Returns the rows of --trace; without `with_times`, only what is the same in every run.
@@ -131,9 +106,9 @@ Result<void> writeFiles(const RelaxCommand& command, SitesRun& run, const Relaxe
   output.figures = [&](nlohmann::ordered_json& json) {
     const RelaxStep &first = relaxed.trace.front(), &last = lastTaken(relaxed.trace);
     // With weights there is no reference to compare with: the dump writes null for what is not finite.
-    json["relaxation"] = {{"method", methodNames()[command.method == RelaxMethod::lloyd ? 1 : 0]},
+    json["relaxation"] = {{"method", nameOf(command.options.method)},
                           {"diagrams", relaxed.trace.size()},
-                          {"end", endWordOf(relaxed.end)},
+                          {"end", nameOf(relaxed.end)},
                           {"energy", {first.energy, last.energy}},
                           {"hexagonal", {first.hexagonal, last.hexagonal}},
                           {"farthest", {first.farthest, last.farthest}}};
@@ -144,7 +119,7 @@ Result<void> writeFiles(const RelaxCommand& command, SitesRun& run, const Relaxe
 /// Rejects options that nothing uses, and sets the format of standard output.
 Result<void> checkCommand(RelaxCommand& command, const SitesRun& run) {
   VORPIPE_TRY(run.needsOutput("sites.csv", "--cells, --picture, --trace or --stats"));
-  if (command.equal_masses && command.density.empty()) {
+  if (command.options.equal_masses && command.density.empty()) {
     return inputError("--equal-masses: is for a --density; without one masses are areas");
   }
   return takeFormat(command.targets, command.input);
@@ -174,23 +149,12 @@ Result<ExitCode> relax(RelaxCommand& command, const Invocation& how) {
 
 void addMethodOptions(Options& options, RelaxCommand& command) {
   options.group("Relaxation");
-  addParsed(options, "--method", command.method, "NAME",
-            "how sites move: lbfgs, which comes as far in 30 diagrams as Lloyd's steps in 200; or lloyd, "
-            "each to the centroid of its cell [lbfgs]",
-            parseMethod, {methodNames(), {}});
-  addParsed(options, "--iterations", command.iterations, "N",
-            "the most diagrams to compute after the first [50]",
-            [](std::string_view text) { return parseWhole(text, 0, UINT32_MAX); });
-  addParsed(options, "--tolerance", command.tolerance, "T",
-            "ends when no site would move farther than this part of the spacing, the square root of the mean "
-            "area [0: never]",
-            parseMoveTolerance);
+  const auto add = [&](const auto& row) { addRow(options, row, command.options, command.given); };
+  forEachRow(relax_rows, add);
   addDensityOptions(options, command.density,
                     "sites gather where it is high. --sites density:N draws N sites from it, as dense as it "
                     "is, in the box of its pixels where no --domain is named");
-  options.addFlag("--equal-masses", command.equal_masses,
-                  "relaxes under the square of the density: then cells get equal masses, as stippling wants "
-                  "it; else sites are as dense as its square root");
+  add(equal_masses_row);
 }
 
 }  // namespace

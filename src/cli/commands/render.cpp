@@ -4,6 +4,7 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 
+#include "base/option_names.h"
 #include "base/try.h"
 #include "cli/commands/command.h"
 #include "cli/drawing.h"
@@ -52,13 +53,8 @@ void planRender(const RenderCommand& command, const RenderOptions& options, Memo
 
 /// Returns what determines the colors, their scale and the range of values.
 nlohmann::ordered_json colorJson(const ColorKey& key) {
-  const std::string_view by = key.color == ColorBy::area        ? "area"
-                              : key.color == ColorBy::neighbors ? "neighbors"
-                                                                : "weight";
-  const std::string_view scale = key.scale == ColorScale::log        ? "log"
-                                 : key.scale == ColorScale::quantile ? "quantile"
-                                                                     : "linear";
-  return {{"by", by}, {"scale", scale}, {"range", {key.range.low, key.range.high}}};
+  return {
+      {"by", nameOf(key.color)}, {"scale", nameOf(key.scale)}, {"range", {key.range.low, key.range.high}}};
 }
 
 Result<void> writeFiles(const RenderCommand& command, CommandRun& run, const Input& input,

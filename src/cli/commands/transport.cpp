@@ -1,24 +1,25 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <functional>
 #include <iterator>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <numeric>
+#include <set>
+#include <string_view>
 #include <utility>
 
 #include "base/try.h"
 #include "cli/commands/command.h"
 #include "cli/options/error_line.h"
 #include "cli/options/mass_options.h"
+#include "cli/options/row_options.h"
 #include "cli/progress.h"
 #include "cli/result_files.h"
 #include "io/base/error.h"
 #include "io/base/extension.h"
-#include "io/base/number.h"
 #include "io/cells/forecast_files.h"
 #include "io/sites/weights_file.h"
 #include "vorpipe/masses.h"
@@ -28,16 +29,10 @@ namespace {
 
 struct TransportCommand : SitesOptions {
   MassOptions masses;
-  double tolerance = TransportOptions{}.tolerance;
-  std::uint64_t diagrams = TransportOptions{}.diagrams;
-  std::string weights;  ///< a file
+  TransportOptions options{};
+  std::set<std::string_view> given;  ///< names of given options
+  std::string weights;               ///< a file
 };
-
-Parsed<double> parseTolerance(std::string_view text) {
-  VORPIPE_LET(number, parseNumber(text));
-  if (number > 0) return number;
-  return tl::unexpected(fmt::format("{} is not a number above 0", number));
-}
 
 /// Plans the memory of a run: cells, the matrix and the levels of its solver, then files.
 void planTransport(const TransportCommand& command, const SitesRun& run, MemoryPlan& plan, Workload work) {
@@ -134,7 +129,7 @@ Result<std::vector<double>> loadMasses(const MassOptions& masses, Input& input) 
 /// Returns the options of the transport; fits the scale of the masses if that is requested.
 Result<TransportOptions> transportOptions(const TransportCommand& command, SitesRun& run,
                                           std::vector<double> masses) {
-  TransportOptions options{};
+  TransportOptions options = command.options;
   options.domain = run.input->domain;
   options.outline = run.input->outline;
   options.periodic = run.input->periodic;
@@ -142,8 +137,6 @@ Result<TransportOptions> transportOptions(const TransportCommand& command, Sites
   options.surface = run.surface;
   options.search = command.search;
   options.masses = std::move(masses);
-  options.tolerance = command.tolerance;
-  options.diagrams = command.diagrams;
   options.progress = untilSignal();
   if (!command.masses.normalize && !command.masses.fill) return options;
   VORPIPE_TRY(fillDomain(*run.session, run.input->sites.size(), command.masses.fill.value_or(1), options));
@@ -166,7 +159,7 @@ Result<Transported> transportSites(const TransportCommand& command, SitesRun& ru
     if (!(first_worst > 0)) first_worst = step.worst;
     if (step.taken) {
       bar.show(fmt::format("transport {}, worst {:.2g}", step.diagram, step.worst),
-               partDone(step, first_worst, command.tolerance));
+               partDone(step, first_worst, command.options.tolerance));
     }
     return !!stopIfAsked();
   });
@@ -185,11 +178,6 @@ std::uint64_t newtonSteps(const std::vector<TransportStep>& trace) {
   return most;
 }
 
-std::string_view wordOf(TransportEnd end) {
-  constexpr std::array<std::string_view, 4> words{"converged", "stagnated", "diagrams", "cancelled"};
-  return words[static_cast<std::size_t>(end)];
-}
-
 /// Adds advice to an error. Masses that were read are finite and one per site, so only their sum can be
 /// wrong.
 Error withAdvice(Error error, const MassOptions& masses) {
@@ -204,7 +192,7 @@ Error withAdvice(Error error, const MassOptions& masses) {
 std::string summaryOf(const Transported& found) {
   return fmt::format("worst cell off by {:.3g} of its mass after {} Newton steps, {} diagrams ({})",
                      lastKept(found.trace).worst, newtonSteps(found.trace), found.trace.size(),
-                     wordOf(found.end));
+                     nameOf(found.end));
 }
 
 /// Returns the exit code. Prints how the run ended if it did not reach the tolerance.
@@ -262,7 +250,7 @@ Result<void> writeFiles(const TransportCommand& command, SitesRun& run, const Tr
     json["transport"] = {{"surface", surface},
                          {"diagrams", found.trace.size()},
                          {"newton", newtonSteps(found.trace)},
-                         {"end", wordOf(found.end)},
+                         {"end", nameOf(found.end)},
                          {"worst", last.worst},
                          {"norm", last.norm},
                          {"mass", mass},
@@ -300,10 +288,7 @@ void addSolverOptions(Options& options, TransportCommand& command) {
   options.group("Masses");
   addDensityOptions(options, command.density,
                     "masses are its integrals over cells. --sites density:N draws N sites from it");
-  addParsed(options, "--tolerance", command.tolerance, "T",
-            "ends when no cell differs from its mass by more than this part of it [1e-8]", parseTolerance);
-  addParsed(options, "--diagrams", command.diagrams, "N", "the most diagrams to compute [400]",
-            [](std::string_view text) { return parseWhole(text, 1, UINT32_MAX); });
+  forEachRow(transport_rows, [&](const auto& row) { addRow(options, row, command.options, command.given); });
 }
 
 void addTransportOutputs(Options& options, TransportCommand& command) {

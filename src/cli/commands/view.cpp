@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "base/option_rows.h"
 #include "base/try.h"
 #include "bench/driver_threads.h"
 #include "cli/commands/command.h"
@@ -98,21 +99,18 @@ bool isFluid(const ViewCommand& command) {
 Result<void> checkFluid(const ViewCommand& command) {
   const FluidChoices& fluid = command.fluid;
   const InputOptions& input = command.input;
-  const auto refused = [&](const char* option) {
+  const auto refused = [&](const std::string& option) {
     return inputError(fmt::format("{}: {}", option,
                                   isFluid(command) ? "is for sites that are not a fluid's"
                                                    : "is for fluids; name one with --case or --resume"));
   };
-  const std::vector<std::pair<const char*, bool>> of_fluids{{"--particles", fluid.particles_named},
-                                                            {"--time", fluid.until.has_value()},
-                                                            {"--step", fluid.step.has_value()},
-                                                            {"--scheme", fluid.scheme.has_value()},
-                                                            {"--epsilon", fluid.epsilon.has_value()},
-                                                            {"--gravity", fluid.gravity.has_value()},
-                                                            {"--tolerance", fluid.tolerance.has_value()},
-                                                            {"--flow-color", command.flow_color.has_value()},
-                                                            {"--run", command.run}};
-  const std::vector<std::pair<const char*, bool>> of_sites{
+  std::vector<std::pair<std::string, bool>> of_fluids{{"--particles", fluid.particles_named},
+                                                      {"--flow-color", command.flow_color.has_value()},
+                                                      {"--run", command.run}};
+  forEachRow(fluid_rows, [&](const auto& row) {
+    of_fluids.insert(of_fluids.end() - 2, {flagOf(row), fluid.given.contains(row.name)});
+  });
+  const std::vector<std::pair<std::string, bool>> of_sites{
       {"--sites", !input.sites.empty()},
       {"--seed", input.seed != InputOptions{}.seed},
       {"--columns", !input.reading.columns.empty()},

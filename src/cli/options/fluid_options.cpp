@@ -5,11 +5,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <iterator>
 #include <utility>
 
 #include "base/try.h"
-#include "cli/options/options.h"
+#include "cli/options/row_options.h"
 #include "io/base/error.h"
 #include "io/base/extension.h"
 #include "io/base/number.h"
@@ -19,44 +18,6 @@
 
 namespace vorpipe::cli {
 namespace {
-
-std::vector<std::string> flowColorNames() { return {"none", "density", "speed"}; }
-
-Parsed<view::FlowColor> parseFlowColor(std::string_view text) {
-  if (text == "none") return view::FlowColor::none;
-  if (text == "density") return view::FlowColor::density;
-  if (text == "speed") return view::FlowColor::speed;
-  return tl::unexpected(fmt::format("{} is not {}", inQuotes(text), anyOf(flowColorNames())));
-}
-
-std::vector<std::string> schemeNames() { return {"springs", "projection"}; }
-
-Parsed<FluidScheme> parseScheme(std::string_view text) {
-  if (text == "springs") return FluidScheme::springs;
-  if (text == "projection") return FluidScheme::projection;
-  return tl::unexpected(fmt::format("{} is not {}", inQuotes(text), anyOf(schemeNames())));
-}
-
-Parsed<double> parsePositive(std::string_view text) {
-  VORPIPE_LET(number, parseNumber(text));
-  if (number > 0) return number;
-  return tl::unexpected(fmt::format("{} is not more than 0", number));
-}
-
-/// 0 for `auto`.
-Parsed<double> parseStep(std::string_view text) {
-  if (text == "auto") return 0;
-  return parsePositive(text);
-}
-
-Parsed<Point> parseGravity(std::string_view text) {
-  const std::size_t comma = text.find(',');
-  const auto refused = [&] { return tl::unexpected(fmt::format("{} is not GX,GY", inQuotes(text))); };
-  if (comma == std::string_view::npos) return refused();
-  const auto x = parseNumber(text.substr(0, comma)), y = parseNumber(text.substr(comma + 1));
-  if (!x || !y) return refused();
-  return Point{*x, *y};
-}
 
 /// A name of fluidCaseNames(), or an .npz file.
 Parsed<std::string> parseCase(std::string_view text) {
@@ -86,10 +47,6 @@ void addOutcomeFiles(Options& options, FluidTargets& targets) {
 
 }  // namespace
 
-std::string_view nameOf(FluidScheme scheme) {
-  return scheme == FluidScheme::springs ? "springs" : "projection";
-}
-
 std::vector<std::string> FluidTargets::paths() const {
   std::vector<std::string> paths;
   for (const Points& target : points) paths.push_back(target.path);
@@ -114,24 +71,10 @@ void addFluidStart(Options& options, FluidChoices& choices, std::string_view usu
               choices.particles_named = true;
               return parseWhole(text, 4, max_sites);
             });
-  addParsed(options, "--time", choices.until, "T", fmt::format("the time at which it ends [{}]", usual_end),
-            parsePositive);
-  addParsed(options, "--step", choices.step, "S",
-            "time of a step; auto: as long as speeds and springs allow [auto]", parseStep);
-  addParsed(
-      options, "--scheme", choices.scheme, "NAME",
-      "springs, which pull sites to the centroids of their cells, and have free surfaces; or projection, "
-      "with reflection: more exact for smooth flows, in domains that are full [springs]",
-      parseScheme, {schemeNames(), {}});
-  addParsed(
-      options, "--epsilon", choices.epsilon, "E",
-      "softness of springs, a time: they swing in 2 pi of it [2 spacings of cells over the largest first "
-      "speed, or over half of that of a fall from the top; 3 spacings with a free surface]",
-      parsePositive);
-  addParsed(options, "--gravity", choices.gravity, "GX,GY", "acceleration [as the case has it]",
-            parseGravity);
-  addParsed(options, "--tolerance", choices.tolerance, "T",
-            "no area differs from its own by more than this part of it [1e-6]", parsePositive);
+  forEachRow(fluid_rows, [&](const auto& row) {
+    const bool ends = std::string_view(row.name) == "until";
+    addRow(options, row, choices.options, choices.given, ends ? usual_end : std::string_view());
+  });
 }
 
 void addFluidChoices(Options& options, FluidChoices& choices) {
@@ -139,13 +82,14 @@ void addFluidChoices(Options& options, FluidChoices& choices) {
   addParsed(options, "--steps", choices.steps, "N", "ends after so many steps of this run",
             [](std::string_view text) { return parseWhole(text, 0, UINT32_MAX); });
   addParsed(options, "--seconds", choices.seconds, "S", "ends after so much time of the clock",
-            parsePositive);
+            [](std::string_view text) { return parseOf(std::get<0>(fluid_rows), text); });
 }
 
 void addFlowColor(Options& options, std::optional<view::FlowColor>& color) {
   addParsed(options, "--flow-color", color, "NAME",
             "colors cells by density or speed, in place of --color [density, where there are several]",
-            parseFlowColor, {flowColorNames(), {}});
+            [](std::string_view text) { return parseNameOf<view::FlowColor>(text); },
+            {namesFrom<view::FlowColor>(), {}});
 }
 
 void addFluidTargets(Options& options, FluidTargets& targets) {
@@ -167,6 +111,12 @@ void addFluidTargets(Options& options, FluidTargets& targets) {
             [](std::string_view text) { return parseWhole(text, 1, UINT32_MAX); });
 }
 
+void takeGiven(const FluidChoices& choices, FluidOptions& options) {
+  forEachRow(fluid_rows, [&](const auto& row) {
+    if (choices.given.contains(row.name)) options.*row.member = choices.options.*row.member;
+  });
+}
+
 Result<FluidSetup> startOf(const FluidChoices& choices) {
   if (choices.begin.empty() == choices.resume.empty()) {
     return inputError(choices.begin.empty() ? "--case: name what to begin with (or --resume a checkpoint)"
@@ -179,13 +129,7 @@ Result<FluidSetup> startOf(const FluidChoices& choices) {
   auto setup = named ? Result<FluidSetup>(fluidCase(*named, choices.particles))
                      : readFluid(choices.begin.empty() ? choices.resume : choices.begin);
   if (!setup) return setup;
-  FluidOptions& options = setup->options;
-  if (choices.until) options.until = *choices.until;
-  if (choices.step) options.step = *choices.step;
-  if (choices.epsilon) options.epsilon = *choices.epsilon;
-  if (choices.tolerance) options.tolerance = *choices.tolerance;
-  if (choices.gravity) options.gravity = *choices.gravity;
-  if (choices.scheme) options.scheme = *choices.scheme;
+  takeGiven(choices, setup->options);
   return setup;
 }
 
@@ -198,14 +142,10 @@ Result<FluidSetup> setupOf(const FluidChoices& choices) {
 }
 
 tl::unexpected<Error> asFluidOption(Error error, const FluidChoices& choices) {
-  const std::pair<std::string_view, bool> options[] = {
-      {"step:", choices.step.has_value()},           {"epsilon:", choices.epsilon.has_value()},
-      {"gravity:", choices.gravity.has_value()},     {"scheme:", choices.scheme.has_value()},
-      {"tolerance:", choices.tolerance.has_value()}, {"search:", true}};
-  const auto given = std::ranges::find_if(
-      options, [&](const auto& option) { return option.second && error.message.starts_with(option.first); });
+  const std::string name = error.message.substr(0, error.message.find(':'));
+  const bool given = name == "search" || (name != "until" && choices.given.contains(name));
   const std::string& file = choices.begin.empty() ? choices.resume : choices.begin;
-  if (given != std::end(options)) {
+  if (given) {
     error.message = "--" + error.message;
   } else if (error.code == ErrorCode::input && !fluidCaseOf(choices.begin) &&
              !error.message.starts_with("--")) {

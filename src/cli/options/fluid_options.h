@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <set>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -21,9 +22,8 @@ struct FluidChoices {
   std::string resume;  ///< a file
   std::uint64_t particles = 2048;
   bool particles_named = false;
-  std::optional<double> until, step, epsilon, tolerance;
-  std::optional<Point> gravity;
-  std::optional<FluidScheme> scheme;
+  FluidOptions options{};
+  std::set<std::string_view> given;  ///< the names of those options that are given, by fluid_rows
   std::optional<std::uint64_t> steps;
   std::optional<double> seconds;
 };
@@ -58,6 +58,9 @@ void addFlowColor(Options& options, std::optional<view::FlowColor>& color);
 /// -o, --cells, --checkpoint, --trace, --frames, --series, --every
 void addFluidTargets(Options& options, FluidTargets& targets);
 
+/// Replaces the options that are given.
+void takeGiven(const FluidChoices& choices, FluidOptions& options);
+
 /// Returns the fluid that the options name, which may run forever. Errors (input): the options contradict
 /// each other; those of the file.
 Result<FluidSetup> startOf(const FluidChoices& choices);
@@ -67,8 +70,5 @@ Result<FluidSetup> setupOf(const FluidChoices& choices);
 /// Translates an error of the library, which begins with the wrong value's name, to the command line: it then
 /// names the given option, or else the fluid's file.
 tl::unexpected<Error> asFluidOption(Error error, const FluidChoices& choices);
-
-/// "springs" or "projection".
-std::string_view nameOf(FluidScheme scheme);
 
 }  // namespace vorpipe::cli

@@ -8,6 +8,7 @@
 #include <charconv>
 #include <cmath>
 
+#include "base/option_names.h"
 #include "base/try.h"
 #include "cli/options/unknown_option.h"
 #include "io/base/extension.h"
@@ -22,27 +23,6 @@ namespace {
 bool isKind(std::string_view text) {
   constexpr std::string_view letters = "abcdefghijklmnopqrstuvwxyz0123456789.";
   return !text.empty() && text.front() != '.' && text.find_first_not_of(letters) == std::string_view::npos;
-}
-
-template <class T>
-struct Named {
-  std::string_view name;
-  T value;
-};
-
-constexpr std::array<Named<ColorBy>, 4> colors = {{{"site", ColorBy::site},
-                                                   {"area", ColorBy::area},
-                                                   {"neighbors", ColorBy::neighbors},
-                                                   {"weight", ColorBy::weight}}};
-
-constexpr std::array<Named<Periodic>, 3> periods = {
-    {{"x", Periodic::x}, {"y", Periodic::y}, {"xy", Periodic::xy}}};
-
-template <class Table>
-std::vector<std::string> namesIn(const Table& table) {
-  std::vector<std::string> names;
-  for (const auto& row : table) names.emplace_back(row.name);
-  return names;
 }
 
 std::vector<std::string_view> split(std::string_view text, char separator) {
@@ -63,11 +43,9 @@ Parsed<std::string> oneOf(const std::vector<std::string>& names, std::string_vie
 }
 
 /// Returns the value that `text` names.
-template <class Table>
-auto valueIn(const Table& table, std::string_view text) -> Parsed<decltype(table[0].value)> {
-  return oneOf(namesIn(table), text).map([&](const std::string& name) {
-    return std::ranges::find(table, name, [](const auto& row) { return row.name; })->value;
-  });
+template <Named Enum>
+Parsed<Enum> valueIn(std::string_view text, Enum first = Enum{}) {
+  return oneOf(namesFrom(first), text).map([](const std::string& name) { return *valueNamed<Enum>(name); });
 }
 
 }  // namespace
@@ -77,9 +55,9 @@ std::string anyOf(std::span<const std::string> words) {
   return fmt::format("{} or {}", fmt::join(words.first(words.size() - 1), ", "), words.back());
 }
 
-std::vector<std::string> periodicNames() { return namesIn(periods); }
-std::vector<std::string> searchNames() { return {"grid", "flann"}; }
-std::vector<std::string> colorNames() { return namesIn(colors); }
+std::vector<std::string> periodicNames() { return namesFrom(Periodic::x); }
+std::vector<std::string> searchNames() { return namesFrom<Search>(); }
+std::vector<std::string> colorNames() { return namesFrom<ColorBy>(); }
 
 Parsed<std::uint64_t> parseWhole(std::string_view text, std::uint64_t low, std::uint64_t high) {
   std::uint64_t value = 0;
@@ -126,7 +104,7 @@ Parsed<DomainChoice> parseDomain(std::string_view text) {
   return DomainChoice{*box, {}, /*hull=*/false};
 }
 
-Parsed<Periodic> parsePeriodic(std::string_view text) { return valueIn(periods, text); }
+Parsed<Periodic> parsePeriodic(std::string_view text) { return valueIn(text, Periodic::x); }
 
 Parsed<WeightRange> parseWeightRange(std::string_view text) {
   const auto parts = split(text, ',');
@@ -205,7 +183,7 @@ Parsed<std::pair<std::string, std::uint64_t>> parseLimit(std::string_view text) 
   return std::pair(std::move(*name), *value);
 }
 
-Parsed<ColorBy> parseColor(std::string_view text) { return valueIn(colors, text); }
+Parsed<ColorBy> parseColor(std::string_view text) { return valueIn<ColorBy>(text); }
 
 Parsed<std::string> parseColormap(std::string_view text) { return oneOf(colormaps(), text); }
 

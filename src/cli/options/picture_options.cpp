@@ -3,58 +3,21 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <map>
-#include <type_traits>
 
-#include "base/option_rows.h"
 #include "base/try.h"
+#include "cli/options/row_options.h"
 #include "io/base/error.h"
-#include "io/base/number.h"
-#include "io/base/quoted.h"
 
 namespace vorpipe::cli {
 namespace {
 
-std::vector<std::string> scaleNames() { return {"linear", "log", "quantile"}; }
-std::vector<std::string> fitNames() { return {"stretch", "letterbox"}; }
-
-/// Returns the index of `text` in `names`.
-Parsed<std::size_t> placeIn(const std::vector<std::string>& names, std::string_view text) {
-  const auto found = std::ranges::find(names, text);
-  if (found == names.end()) return tl::unexpected(fmt::format("{} is not {}", inQuotes(text), anyOf(names)));
-  return static_cast<std::size_t>(found - names.begin());
-}
-
-Parsed<ColorScale> parseScale(std::string_view text) {
-  constexpr std::array scales{ColorScale::linear, ColorScale::log, ColorScale::quantile};
-  return placeIn(scaleNames(), text).map([&](std::size_t place) { return scales[place]; });
-}
-
-Parsed<Fit> parseFit(std::string_view text) {
-  constexpr std::array fits{Fit::stretch, Fit::letterbox};
-  return placeIn(fitNames(), text).map([&](std::size_t place) { return fits[place]; });
-}
+Parsed<ColorScale> parseScale(std::string_view text) { return parseNameOf(text, ColorScale::linear); }
 
 Parsed<ColorRange> parseColorRange(std::string_view text) {
   VORPIPE_LET(range, parseWeightRange(text));
   if (range.low == range.high) return tl::unexpected(fmt::format("LO {} is not below HI", range.low));
   return ColorRange{range.low, range.high};
-}
-
-/// Parses a number in the range of its row.
-template <class Number>
-Parsed<Number> parseNumberOf(const NumberRow<RenderOptions, Number>& row, std::string_view text) {
-  if constexpr (std::is_integral_v<Number>) {
-    const auto least = static_cast<std::uint64_t>(row.least_given),
-               most = static_cast<std::uint64_t>(row.most);
-    return parseWhole(text, least, most).map([](auto number) { return static_cast<Number>(number); });
-  } else {
-    VORPIPE_LET(number, parseNumber(text));
-    if (number >= row.least_given && number <= row.most) return number;
-    return tl::unexpected(
-        fmt::format("{} is not a number of{} from {} to {}", number, row.unit, row.least_given, row.most));
-  }
 }
 
 }  // namespace
@@ -75,10 +38,10 @@ Parsed<SizeChoice> parseSizeChoice(std::string_view text) {
 
 Option addFitOption(Options& options, std::optional<Fit>& fit) {
   return addParsed(
-      options, "--fit", fit, anyOf(fitNames()),
+      options, "--fit", fit, anyOf(namesFrom<Fit>()),
       "what a domain does in a picture of another aspect: it is stretched to it, or keeps its own in the "
       "middle, with no site beside it [letterbox for files of sites and outlines, else stretch]",
-      parseFit, {fitNames(), {}});
+      [](std::string_view text) { return parseNameOf<Fit>(text); }, {namesFrom<Fit>(), {}});
 }
 
 Option addViewOption(Options& options, std::optional<Box>& view) {
@@ -107,7 +70,7 @@ void addColorOptions(Options& options, RenderOptions& picture) {
   addParsed(options, "--color-scale", picture.color_scale, "KIND",
             "how values become colors: linear or log from the least to the greatest, or quantile, by rank "
             "[quantile by area and weight, linear by neighbors]",
-            parseScale, {scaleNames(), {}});
+            parseScale, {namesFrom(ColorScale::linear), {}});
   addParsed(
       options, "--color-range", picture.color_range, "LO,HI",
       "the values of the first and the last color; those beyond have the same, and quantiles are those of "
@@ -119,18 +82,12 @@ void addColorOptions(Options& options, RenderOptions& picture) {
 void addMarkOptions(Options& options, PictureOptions& picture) {
   std::map<std::string_view, Option> flags;
   const auto add = [&](const auto& row) {
-    auto& target = picture.render.*row.member;
-    if constexpr (requires { row.least; }) {
-      const auto parse = [&picture, row](std::string_view text) {
-        picture.given.insert(row.name);
-        return parseNumberOf(row, text);
-      };
-      const std::string help = fmt::format(fmt::runtime(row.help), row.least_given, row.most, target);
-      Option option = addParsed(options, flagOf(row), target, row.value, help, parse);
+    Option option = addRow(options, row, picture.render, picture.given);
+    if constexpr (requires { row.of; }) {
       // CLI11 has no option that needs one of two others.
       if (row.of[0] != nullptr && row.of[1] == nullptr) option.needs(flags.at(row.of[0]->name));
     } else {
-      flags.emplace(row.name, options.addFlag(flagOf(row), target, row.help));
+      flags.emplace(row.name, option);
     }
   };
   forEachRow(mark_rows, add);

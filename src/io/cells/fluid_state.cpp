@@ -10,6 +10,7 @@
 #include <utility>
 #include <vector>
 
+#include "base/option_names.h"
 #include "base/try.h"
 #include "io/base/error.h"
 #include "io/base/npy_array.h"
@@ -34,9 +35,6 @@ constexpr std::array<std::string_view, 21> array_names{
     "sites",   "weights",   "velocity", "volume",   "density",  "pressure", "trend",
     "order",   "domain",    "gravity",  "carried",  "time",     "until",    "length",
     "epsilon", "tolerance", "step",     "diagrams", "periodic", "surface",  "scheme"};
-constexpr std::array<std::string_view, 4> periodic_names{"none", "x", "y", "xy"};
-constexpr std::array<std::string_view, 2> surface_names{"none", "free"},
-    scheme_names{"springs", "projection"};
 
 /// Refuses unknown arrays. A state is all that later steps depend on, so an unknown array is probably a
 /// misspelled one.
@@ -81,14 +79,15 @@ class Reader {
     const auto read = several<Number>(name, 1);
     if (!read.empty()) value = read.front();
   }
-  /// The same for one of `names`, as text or by its number.
-  template <class Name>
-  void name(const char* array, std::span<const std::string_view> names, Name& value) {
+  /// The same for one of the names of an enumeration, as text or by its number.
+  template <Named Name>
+  void name(const char* array, Name& value) {
+    const auto& names = names_of<Name>;
     if (const auto text = file_.text(array)) {
-      const auto found = std::ranges::find(names, *text);
-      if (found == names.end())
+      const auto found = valueNamed<Name>(*text);
+      if (!found)
         return refuse(fmt::format("{} is {}, not one of {}", array, inQuotes(*text), fmt::join(names, ", ")));
-      value = static_cast<Name>(found - names.begin());
+      value = *found;
       return;
     }
     auto number = static_cast<std::uint8_t>(value);
@@ -179,9 +178,9 @@ Result<FluidSetup> readFluid(const std::string& path) {
   read.single("tolerance", options.tolerance);
   read.single("step", state.step);
   read.single("diagrams", options.diagrams);
-  read.name("periodic", periodic_names, options.periodic);
-  read.name("surface", surface_names, options.surface);
-  read.name("scheme", scheme_names, options.scheme);
+  read.name("periodic", options.periodic);
+  read.name("surface", options.surface);
+  read.name("scheme", options.scheme);
   if (read.error) return tl::unexpected(std::move(*read.error));
   return setup;
 }
