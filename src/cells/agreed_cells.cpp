@@ -14,7 +14,6 @@
 #include "cells/diagram_writer.h"
 #include "cells/dual_triangles.h"
 #include "cells/hidden_cells.h"
-#include "cells/neighbor_search.h"
 #include "cells/ties.h"
 
 namespace vorpipe::core {
@@ -253,19 +252,6 @@ Result<TiedCells> reconcile(const SearchInput& input, NeighborRows& rows, const 
                   1 + gap)));
 }
 
-SearchInput inputOf(const Machine& machine, SiteRun& run, const CellsOptions& options) {
-  return {machine.backend, run.judge, run.prepared.set, options.search, machine.threads, options.progress};
-}
-
-Result<AgreedCells> agree(const SearchInput& input, NeighborRows rows, const SiteRun& run, const Sites& sites,
-                          const Box& domain, std::span<double> spread, Report& report) {
-  AgreedCells agreed{std::move(rows), makeRecords(run.prepared, sites), {}};
-  const Records records{run.prepared.set, Unscale(run.prepared.exponent), agreed.records, spread};
-  VORPIPE_VAR(tied, reconcile(input, agreed.rows, records, domain, report));
-  agreed.tied = std::move(tied);
-  return agreed;
-}
-
 /// The centroid of a site without a cell is the caller's site, to the last bit: scaled ones may be rounded.
 void keepSitesWithoutCells(const Sites& sites, int threads, Diagram& diagram) {
   constexpr std::size_t grain = 1 << 14;
@@ -278,21 +264,19 @@ void keepSitesWithoutCells(const Sites& sites, int threads, Diagram& diagram) {
 
 }  // namespace
 
-Result<AgreedCells> agreeOnCells(const Machine& machine, SiteRun& run, const Sites& sites,
-                                 const CellsOptions& options, std::span<double> spread, Report& report) {
-  const SearchInput input = inputOf(machine, run, options);
-  VORPIPE_VAR(rows, findNeighbors(input, report));
-  return agree(input, std::move(rows), run, sites, options.domain, spread, report);
-}
-
-Result<std::optional<AgreedCells>> agreeUnlessEmpty(const Machine& machine, SiteRun& run, const Sites& sites,
-                                                    const CellsOptions& options, std::span<double> spread,
-                                                    Report& report) {
-  if (run.prepared.set.size() < sites.size()) return std::nullopt;  // A duplicate has no cell.
-  const SearchInput input = inputOf(machine, run, options);
-  VORPIPE_VAR(rows, findNeighborsUnlessEmpty(input, report));
+Result<std::optional<AgreedCells>> agreeOnCells(const Machine& machine, SiteRun& run, const Sites& sites,
+                                                const CellsOptions& options, AtEmpty at_empty,
+                                                std::span<double> spread, Report& report) {
+  const SiteSet& set = run.prepared.set;
+  // A duplicate has no cell.
+  if (at_empty == AtEmpty::end && set.size() < sites.size()) return std::nullopt;
+  const SearchInput input{machine.backend, run.judge, set, options.search, machine.threads, options.progress};
+  VORPIPE_VAR(rows, findNeighbors(input, at_empty, report));
   if (!rows) return std::nullopt;
-  VORPIPE_VAR(agreed, agree(input, std::move(*rows), run, sites, options.domain, spread, report));
+  AgreedCells agreed{std::move(*rows), makeRecords(run.prepared, sites), {}};
+  const Records records{set, Unscale(run.prepared.exponent), agreed.records, spread};
+  VORPIPE_VAR(tied, reconcile(input, agreed.rows, records, options.domain, report));
+  agreed.tied = std::move(tied);
   return std::optional(std::move(agreed));
 }
 
@@ -303,7 +287,8 @@ Result<Diagram> boxDiagramOn(const Machine& machine, SiteRun& run, const Sites& 
   const Stopwatch watch;
   const int threads = machine.threads;
   const SiteSet& set = run.prepared.set;
-  VORPIPE_VAR(agreed, agreeOnCells(machine, run, sites, options, {}, diagram.report));
+  VORPIPE_VAR(found, agreeOnCells(machine, run, sites, options, AtEmpty::ignore, {}, diagram.report));
+  AgreedCells& agreed = *found;
   // Only triangles need the cells at each vertex.
   if (options.detail != Detail::everything) {
     std::vector<std::uint32_t>().swap(agreed.tied.around);

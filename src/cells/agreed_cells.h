@@ -4,6 +4,7 @@
 #include <optional>
 #include <span>
 
+#include "cells/neighbor_search.h"
 #include "cells/site_run.h"
 #include "cells/tied_cells.h"
 
@@ -16,14 +17,11 @@ struct AgreedCells {
 };
 
 /// Finds the cells of a run and makes them agree. The run was begun with `sites` on the same machine.
-/// `spread` is as in Records. Adds what was done to `report`. Errors: as in Session::cells.
-Result<AgreedCells> agreeOnCells(const Machine& machine, SiteRun& run, const Sites& sites,
-                                 const CellsOptions& options, std::span<double> spread, Report& report);
-
-/// The same, but returns nothing as soon as a site is proved to have no cell.
-Result<std::optional<AgreedCells>> agreeUnlessEmpty(const Machine& machine, SiteRun& run, const Sites& sites,
-                                                    const CellsOptions& options, std::span<double> spread,
-                                                    Report& report);
+/// `spread` is as in Records. Adds what was done to `report`. Returns nothing only for AtEmpty::end. Errors:
+/// as in Session::cells.
+Result<std::optional<AgreedCells>> agreeOnCells(const Machine& machine, SiteRun& run, const Sites& sites,
+                                                const CellsOptions& options, AtEmpty at_empty,
+                                                std::span<double> spread, Report& report);
 
 /// Does what Session::cells does, except outlines, periods and mass. `run` was begun with `sites`, on the
 /// same machine. Stores the cells in `run` and moves its owners to the diagram. Errors: as in Session::cells.

@@ -68,9 +68,6 @@ bool areSnapped(const SiteSet& sites) {
   return few * (given - sites.size()) > given;
 }
 
-/// Whether to end as soon as a site has no cell.
-enum class AtEmpty : std::uint8_t { ignore, end };
-
 /// Asks the device, and keeps the cells that it finds.
 class DeviceSearch {
  public:
@@ -154,7 +151,18 @@ class DeviceSearch {
   double pack_seconds_ = 0;
 };
 
-Result<std::optional<NeighborRows>> findRows(const SearchInput& input, AtEmpty at_empty, Report& report) {
+/// Whether AtEmpty::end ends with these rows.
+bool hasEmpty(const NeighborRows& rows) {
+  for (std::size_t cell = 0; cell < rows.size(); ++cell) {
+    if (rows.status(cell) == CellStatus::empty) return true;
+  }
+  return false;
+}
+
+}  // namespace
+
+Result<std::optional<NeighborRows>> findNeighbors(const SearchInput& input, AtEmpty at_empty,
+                                                  Report& report) {
   NeighborRows rows(input.sites.size(), input.threads);
   Upload upload(input.backend, {});
   CellLadder ladder(input, upload, 0);
@@ -175,11 +183,11 @@ Result<std::optional<NeighborRows>> findRows(const SearchInput& input, AtEmpty a
   } else if (report.time_ms.search >= 0) {
     report.time_ms.search += 1e3 * device.packSeconds();
   }
-  if (!input.sites.weight.empty()) proveEmpty(input.sites, allOf(input.sites), input.threads, rows);
+  if (input.sites.weight.empty()) return rows;
+  proveEmpty(input.sites, allOf(input.sites), input.threads, rows);
+  if (at_empty == AtEmpty::end && hasEmpty(rows)) return std::nullopt;
   return rows;
 }
-
-}  // namespace
 
 Result<void> findAgain(const SearchInput& input, const std::vector<std::uint32_t>& which, Precision precision,
                        NeighborRows& rows) {
@@ -195,20 +203,6 @@ bool findAllInMesh(const SearchInput& input, NeighborRows& rows) {
   if (!input.judge.findAmong(all, input.threads, rows)) return false;
   proveEmpty(input.sites, all, input.threads, rows);
   return true;
-}
-
-Result<NeighborRows> findNeighbors(const SearchInput& input, Report& report) {
-  VORPIPE_VAR(rows, findRows(input, AtEmpty::ignore, report));
-  return std::move(*rows);
-}
-
-Result<std::optional<NeighborRows>> findNeighborsUnlessEmpty(const SearchInput& input, Report& report) {
-  auto rows = findRows(input, AtEmpty::end, report);
-  if (!rows || !*rows || input.sites.weight.empty()) return rows;
-  for (std::size_t cell = 0; cell < (*rows)->size(); ++cell) {
-    if ((*rows)->status(cell) == CellStatus::empty) return std::nullopt;
-  }
-  return rows;
 }
 
 }  // namespace vorpipe::core

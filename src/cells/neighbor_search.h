@@ -7,13 +7,14 @@
 
 namespace vorpipe::core {
 
+/// Whether to end, with nothing, as soon as a site is proved to have no cell.
+enum class AtEmpty : std::uint8_t { ignore, end };
+
 /// Gives the sites to the backend and finds every cell of the set, each certified or empty. With weights,
 /// cells that were empty without proof become `open`. In `report`: retried, in_double, exact, and the times
-/// of upload and search. Errors: those of the backend; progress requested a stop.
-Result<NeighborRows> findNeighbors(const SearchInput& input, Report& report);
-
-/// The same, but returns nothing as soon as weights are proved to leave a site no cell.
-Result<std::optional<NeighborRows>> findNeighborsUnlessEmpty(const SearchInput& input, Report& report);
+/// of upload and search. Returns nothing only for AtEmpty::end. Errors: those of the backend; progress
+/// requested a stop.
+Result<std::optional<NeighborRows>> findNeighbors(const SearchInput& input, AtEmpty at_empty, Report& report);
 
 /// Has the judge find the cells of `which` (ascending) again, beginning with `precision`, and
 /// replaces them.

@@ -37,20 +37,20 @@ void takeMoments(const Sites& sites, std::span<const CellRecord> records, int th
   });
 }
 
-/// Implements findMoments; agree(run, report) returns the agreed cells, or none.
-template <class Agree>
-Result<Report> findBy(const Agree& agree, const Machine& machine, const Sites& sites, const Box& domain,
-                      FoundBox& found, CellMoments& moments) {
+}  // namespace
+
+Result<Report> findMoments(const Machine& machine, const Sites& sites, const CellsOptions& options,
+                           AtEmpty at_empty, FoundBox& found, CellMoments& moments) {
   Report report;
   Times& times = report.time_ms;
   const Stopwatch order_watch;
   found = {};
-  VORPIPE_VAR(run, beginRun(machine, sites, domain));
+  VORPIPE_VAR(run, beginRun(machine, sites, options.domain));
   found.run = std::move(run);
   times.order = 1e3 * order_watch.seconds();
   const Stopwatch watch;
   moments.spread.resize(sites.size());
-  VORPIPE_VAR(cells, agree(*found.run, report));
+  VORPIPE_VAR(cells, agreeOnCells(machine, *found.run, sites, options, at_empty, moments.spread, report));
   found.cells = std::move(cells);
   nameDevice(machine.backend, report);
   if (!found.cells) return report;
@@ -59,25 +59,6 @@ Result<Report> findBy(const Agree& agree, const Machine& machine, const Sites& s
   if (!found.run->prepared.set.weight.empty()) report.hidden = report.empty;
   times.cells = 1e3 * watch.seconds() - std::max(times.upload, 0.0) - std::max(times.search, 0.0);
   return report;
-}
-
-}  // namespace
-
-Result<Report> findMoments(const Machine& machine, const Sites& sites, const CellsOptions& options,
-                           FoundBox& found, CellMoments& moments) {
-  const auto agree = [&](SiteRun& run, Report& report) -> Result<std::optional<AgreedCells>> {
-    VORPIPE_VAR(cells, agreeOnCells(machine, run, sites, options, moments.spread, report));
-    return std::optional(std::move(cells));
-  };
-  return findBy(agree, machine, sites, options.domain, found, moments);
-}
-
-Result<Report> findMomentsUnlessEmpty(const Machine& machine, const Sites& sites, const CellsOptions& options,
-                                      FoundBox& found, CellMoments& moments) {
-  const auto agree = [&](SiteRun& run, Report& report) {
-    return agreeUnlessEmpty(machine, run, sites, options, moments.spread, report);
-  };
-  return findBy(agree, machine, sites, options.domain, found, moments);
 }
 
 CellsThatMeet neighborsOf(const FoundBox& found, int threads) {

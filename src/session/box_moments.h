@@ -16,14 +16,10 @@ struct FoundBox {
   std::optional<AgreedCells> cells{};
 };
 
-/// Replaces `found` and `moments` and reuses their arrays. Errors: those of Session::cells.
+/// Replaces `found` and `moments` and reuses their arrays. For AtEmpty::end `found` has no cells if some site
+/// provably has none, and the values of `moments` are unspecified. Errors: those of Session::cells.
 Result<Report> findMoments(const Machine& machine, const Sites& sites, const CellsOptions& options,
-                           FoundBox& found, CellMoments& moments);
-
-/// The same, except if some site provably has no cell: then `found` has no cells, and the values of `moments`
-/// are unspecified.
-Result<Report> findMomentsUnlessEmpty(const Machine& machine, const Sites& sites, const CellsOptions& options,
-                                      FoundBox& found, CellMoments& moments);
+                           AtEmpty at_empty, FoundBox& found, CellMoments& moments);
 
 /// Returns the neighbors of cells that findMoments() found.
 CellsThatMeet neighborsOf(const FoundBox& found, int threads);

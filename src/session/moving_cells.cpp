@@ -55,8 +55,8 @@ Result<void> MovingCells::State::findInBox(const Sites& sites, bool unless_empty
   };
   auto done = session->device.run<Done>([&](Backend& backend) -> Result<Done> {
     const Machine machine = session->with(backend);
-    const auto find = unless_empty ? findMomentsUnlessEmpty : findMoments;
-    VORPIPE_VAR(made, find(machine, sites, options, found, moments));
+    const AtEmpty at_empty = unless_empty ? AtEmpty::end : AtEmpty::ignore;
+    VORPIPE_VAR(made, findMoments(machine, sites, options, at_empty, found, moments));
     if (found.cells && surface == Surface::free)
       cutByDiscs(found, sites, machine.threads, moments, made, free_surface);
     return Done{std::move(made)};

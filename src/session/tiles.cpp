@@ -204,9 +204,9 @@ Result<PartCells> cellsOfPart(const Machine& machine, const SiteCells& cells, co
   options.progress = progress;
   auto run = std::make_unique<SiteRun>(std::move(prepared), machine);
   Report report;
-  VORPIPE_VAR(agreed, agreeOnCells(machine, *run, part.sites, options, {}, report));
+  VORPIPE_VAR(agreed, agreeOnCells(machine, *run, part.sites, options, AtEmpty::ignore, {}, report));
   nameDevice(machine.backend, report);
-  return PartCells{std::move(run), std::move(agreed), std::move(report)};
+  return PartCells{std::move(run), std::move(*agreed), std::move(report)};
 }
 
 CellMeasures measuresOf(const PartSites& part, const PartCells& cells, std::size_t i) {

@@ -183,9 +183,9 @@ Asked askedFor(Pattern pattern) {
   const SearchOptions search;
   const Progress progress;
   Report report;
-  const auto rows = findNeighbors({device, judge, sites, search, 2, progress}, report);
+  const auto rows = findNeighbors({device, judge, sites, search, 2, progress}, AtEmpty::ignore, report);
   EXPECT_TRUE(rows);
-  for (std::size_t i = 0; i < sites.size(); ++i) EXPECT_NE(rows->status(i), CellStatus::missing);
+  for (std::size_t i = 0; i < sites.size(); ++i) EXPECT_NE((*rows)->status(i), CellStatus::missing);
   return {device.asked, exact.asked};
 }
 

@@ -153,9 +153,9 @@ Found cellsInTiles(const SiteSet& sites, std::uint64_t most_sites, std::uint64_t
   const SearchOptions search;
   const Progress progress;
   Report report;
-  const auto rows = findNeighbors({backend, judge, sites, search, 2, progress}, report);
+  const auto rows = findNeighbors({backend, judge, sites, search, 2, progress}, AtEmpty::ignore, report);
   EXPECT_TRUE(rows) << rows.error().message;
-  return {rowsIn(*rows), report, backend.uploads};
+  return {rowsIn(**rows), report, backend.uploads};
 }
 
 TEST(Tiles, LeaveCrowdedCellsToTheTriangulation) {
