@@ -9,7 +9,6 @@
 #include <utility>
 #include <vector>
 
-#include "base/try.h"
 #include "errors.h"
 #include "io/base/output_file.h"
 #include "runs.h"
@@ -28,9 +27,7 @@ void saveFile(const std::string& path, const std::vector<std::string>& inputs, c
   }
   auto saved = [&]() -> Result<void> {
     const WithoutGil no_gil;
-    VORPIPE_VAR(file, OutputFile::create(path));
-    auto written = write(file);
-    return written ? file.commit() : written;
+    return writeFile(path, write);
   }();
   valueOf(std::move(saved));
 }

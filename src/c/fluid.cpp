@@ -333,6 +333,6 @@ vorpipe_code vorpipe_fluid_save(const vorpipe_fluid* fluid, const char* path) {
   return guarded([&] {
     if (lowerExtension(path) != ".npz") return saveMoved(movedOf(*fluid), path);
     const Fluid& f = fluid->fluid;
-    return codeOf(save(path, [&](ByteSink& to) { return writeFluid(to, f.state(), f.options()); }));
+    return codeOf(writeFile(path, [&](ByteSink& to) { return writeFluid(to, f.state(), f.options()); }));
   });
 }

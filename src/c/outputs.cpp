@@ -84,7 +84,7 @@ vorpipe_code writeMoved(const MovedSites& moved, const char* format, vorpipe_wri
 vorpipe_code saveMoved(const MovedSites& moved, const char* path) {
   const auto known = pointsFormatOf(path);
   if (!known) return fail(known.error());
-  return codeOf(save(path, [&](ByteSink& to) { return writeTo(to, moved, **known); }));
+  return codeOf(writeFile(path, [&](ByteSink& to) { return writeTo(to, moved, **known); }));
 }
 
 vorpipe_code giveMoved(const MovedSites& moved, Surface surface, vorpipe_input** input) {
@@ -137,7 +137,7 @@ vorpipe_code vorpipe_diagram_save_with(const vorpipe_diagram* diagram, const cha
     if (!given) return fail(given.error());
     const auto known = cellsFormatOf(path);
     if (!known) return fail(known.error());
-    return codeOf(save(path, [&](ByteSink& to) { return writeAs(to, *diagram, **known, *given); }));
+    return codeOf(writeFile(path, [&](ByteSink& to) { return writeAs(to, *diagram, **known, *given); }));
   });
 }
 
@@ -160,7 +160,7 @@ vorpipe_code vorpipe_diagram_save_edges(const vorpipe_diagram* diagram, const ch
   return guarded([&] {
     const auto known = edgesFormatOf(path);
     if (!known) return fail(known.error());
-    return codeOf(save(path, [&](ByteSink& to) { return writeEdgesAs(to, *diagram, **known); }));
+    return codeOf(writeFile(path, [&](ByteSink& to) { return writeEdgesAs(to, *diagram, **known); }));
   });
 }
 
@@ -179,6 +179,6 @@ vorpipe_code vorpipe_picture_save(const vorpipe_picture* picture, const char* pa
   if (picture == nullptr) return missing("picture");
   if (path == nullptr) return missing("path");
   return guarded([&] {
-    return codeOf(save(path, [&](ByteSink& to) { return writeAs(to, *picture, lowerExtension(path)); }));
+    return codeOf(writeFile(path, [&](ByteSink& to) { return writeAs(to, *picture, lowerExtension(path)); }));
   });
 }

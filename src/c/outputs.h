@@ -4,7 +4,6 @@
 #include <string>
 #include <utility>
 
-#include "base/try.h"
 #include "c/handles.h"
 #include "c/vorpipe_c.h"
 #include "io/base/byte_sink.h"
@@ -17,14 +16,6 @@ namespace vorpipe::c {
 inline CallbackSink sinkOf(std::string name, vorpipe_write write, void* user) {
   return {std::move(name),
           [write, user](std::string_view bytes) { return write(user, bytes.data(), bytes.size()) == 0; }};
-}
-
-/// Creates a file, lets `write` fill it, and puts it in place. Errors: those of OutputFile and of `write`.
-template <class Write>
-Result<void> save(const std::string& path, const Write& write) {
-  VORPIPE_VAR(file, OutputFile::create(path));
-  VORPIPE_TRY(write(file));
-  return file.commit();
 }
 
 /// Moved sites with their original input.

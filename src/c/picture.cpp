@@ -193,6 +193,7 @@ vorpipe_code vorpipe_draw_save(vorpipe_session* session, const vorpipe_input* in
   return guardedRun(*session, [&] {
     const auto known = shapesFormatOf(path);
     if (!known) return fail(known.error());
-    return codeOf(save(path, [&](ByteSink& to) { return draw(*session, *input, options, **known, to); }));
+    return codeOf(
+        writeFile(path, [&](ByteSink& to) { return draw(*session, *input, options, **known, to); }));
   });
 }

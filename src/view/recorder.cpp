@@ -187,9 +187,7 @@ class Folder final : public Recorder {
 }  // namespace
 
 Result<void> savePng(const std::string& path, const Image& image) {
-  VORPIPE_VAR(file, OutputFile::create(path));
-  VORPIPE_TRY(writePng(file, image.width, image.height, image.rgba));
-  return file.commit();
+  return writeFile(path, [&](ByteSink& to) { return writePng(to, image.width, image.height, image.rgba); });
 }
 
 Result<std::unique_ptr<Recorder>> openRecorder(const std::string& path) {

@@ -15,18 +15,6 @@
 #include "vorpipe/free_surface.h"
 
 namespace vorpipe::view {
-namespace {
-
-/// Creates a file, which `write` fills and which then appears whole.
-template <class Write>
-Result<void> writeFile(const std::string& path, const Write& write) {
-  VORPIPE_VAR(file, OutputFile::create(path));
-  VORPIPE_TRY(write(file));
-  return file.commit();
-}
-
-}  // namespace
-
 Result<void> writeSites(const std::string& path, const Sites& sites) {
   const bool weighted = !sites.weight.empty();
   std::string text = weighted ? "x,y,weight\n" : "x,y\n";

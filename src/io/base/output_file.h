@@ -94,6 +94,15 @@ class OutputFile final : public ByteSink {
   Stream stream_;
 };
 
+/// Creates a file, has `write` fill it, and puts it in place. Errors: those of OutputFile and of `write`.
+template <class Write>
+Result<void> writeFile(const std::string& path, const Write& write) {
+  auto file = OutputFile::create(path);
+  if (!file) return tl::unexpected(std::move(file.error()));
+  if (Result<void> written = write(*file); !written) return written;
+  return file->commit();
+}
+
 /// Creates an output file for each path, in order. Errors (input): those of create(), two paths are one file,
 /// or one is that of `others`.
 Result<std::vector<OutputFile>> createOutputs(std::span<const std::string> paths,
