@@ -3,13 +3,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
 #include <filesystem>
 #include <optional>
 #include <system_error>
 #include <utility>
 
 #include "base/try.h"
+#include "base/words.h"
 #include "cli/drawing.h"
 #include "io/base/error.h"
 #include "io/base/extension.h"
@@ -52,10 +52,7 @@ std::optional<std::uint64_t> numberIn(std::string_view name, std::string_view be
                                       std::size_t digits) {
   if (!name.starts_with(begin) || !name.ends_with(end)) return std::nullopt;
   if (name.size() < begin.size() + digits + end.size()) return std::nullopt;
-  std::uint64_t number = 0;
-  const char* const last = name.data() + name.size() - end.size();
-  const auto [stop, error] = std::from_chars(name.data() + begin.size(), last, number);
-  return error == std::errc() && stop == last ? std::optional(number) : std::nullopt;
+  return wholeNumber<std::uint64_t>(name.substr(begin.size(), name.size() - begin.size() - end.size()));
 }
 
 std::optional<std::uint64_t> stepIn(std::string_view name) { return numberIn(name, "step-", ".vtp", 6); }

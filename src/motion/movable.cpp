@@ -10,6 +10,7 @@
 #include <utility>
 #include <vector>
 
+#include "base/inside.h"
 #include "base/refusal.h"
 #include "base/try.h"
 #include "domain/edge_tree.h"
@@ -23,13 +24,6 @@ struct Range {
 };
 
 constexpr Range sides{1e-40, 1e40}, densities{1e-30, 1e30};
-
-/// Returns the place of the edge from a to b that is nearest to p.
-Point nearestOnEdge(Point a, Point b, Point p) {
-  const double dx = b.x - a.x, dy = b.y - a.y;
-  const double along = std::clamp(((p.x - a.x) * dx + (p.y - a.y) * dy) / (dx * dx + dy * dy), 0.0, 1.0);
-  return {a.x + along * dx, a.y + along * dy};
-}
 
 }  // namespace
 
@@ -93,7 +87,7 @@ struct AllowedPlaces::Shape {
       Point best = p;
       double least = std::numeric_limits<double>::infinity();
       for (const std::uint32_t edge : near) {
-        const Point at = nearestOnEdge(rings.points[edge], rings.points[rings.next(edge)], p);
+        const Point at = nearestOnLine(rings.points[edge], rings.points[rings.next(edge)], p);
         const double distance = std::hypot(at.x - p.x, at.y - p.y);
         if (distance < least) best = at;
         least = std::min(least, distance);

@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "base/inside.h"
 #include "base/try.h"
 #include "picture/font.h"
 #include "vorpipe/shapes.h"
@@ -98,14 +99,6 @@ std::vector<Point> middlesIn(const Room& room, const TextBox& box, const Box& ar
   return middles;
 }
 
-Point nearestOn(Point a, Point b, Point p) {
-  const Point way{b.x - a.x, b.y - a.y};
-  const double square = way.x * way.x + way.y * way.y;
-  if (square == 0) return a;
-  const double along = std::clamp(((p.x - a.x) * way.x + (p.y - a.y) * way.y) / square, 0.0, 1.0);
-  return {a.x + along * way.x, a.y + along * way.y};
-}
-
 /// Returns the point of a convex polygon, with at least one corner, that is nearest to another point.
 Point nearestIn(std::span<const Point> polygon, Point p) {
   const double turn = turnOf(polygon);
@@ -114,7 +107,7 @@ Point nearestIn(std::span<const Point> polygon, Point p) {
   for (std::size_t k = 0; k < polygon.size(); ++k) {
     const Point a = polygon[k], b = polygon[(k + 1) % polygon.size()];
     if (((b.x - a.x) * (p.y - a.y) - (b.y - a.y) * (p.x - a.x)) * turn < 0) inside = false;
-    const Point here = nearestOn(a, b, p);
+    const Point here = nearestOnLine(a, b, p);
     if (distance(here, p) < distance(nearest, p)) nearest = here;
   }
   return inside ? p : nearest;

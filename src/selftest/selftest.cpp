@@ -3,8 +3,6 @@
 #include <fmt/core.h>
 
 #include <algorithm>
-#include <cctype>
-#include <charconv>
 #include <map>
 #include <memory>
 #include <new>
@@ -12,6 +10,7 @@
 
 #include "base/stopwatch.h"
 #include "base/try.h"
+#include "base/words.h"
 #include "selftest/run_scenes.h"
 
 namespace vorpipe {

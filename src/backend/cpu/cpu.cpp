@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cassert>
-#include <cctype>
 #include <cmath>
 #include <fstream>
 #include <optional>
@@ -13,6 +12,7 @@
 #include "backend/cpu/picture.h"
 #include "backend/view_uniform.h"
 #include "base/parallel.h"
+#include "base/words.h"
 #include "layout.glsl"
 
 namespace vorpipe {
@@ -140,12 +140,7 @@ DeviceInfo cpuDevice() {
 
 Result<void> checkCpuDevice(std::string_view wanted) {
   const auto name = processorName();
-  const auto same = [](char a, char b) {
-    return std::tolower(static_cast<unsigned char>(a)) == std::tolower(static_cast<unsigned char>(b));
-  };
-  const bool is_part =
-      std::search(name.begin(), name.end(), wanted.begin(), wanted.end(), same) != name.end();
-  if (wanted == "0" || is_part) return {};
+  if (wanted == "0" || isPartOf(wanted, name)) return {};
   return tl::unexpected(Error{
       ErrorCode::device, "cpu: there is no device '" + std::string(wanted) + "', only 0 '" + name + "'"});
 }

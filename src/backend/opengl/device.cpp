@@ -4,11 +4,10 @@
 
 #include <algorithm>
 #include <array>
-#include <cctype>
-#include <charconv>
 #include <string>
 
 #include "backend/opengl/gl.h"
+#include "base/words.h"
 #include "layout.glsl"
 
 namespace vorpipe::opengl {
@@ -21,13 +20,6 @@ constexpr std::uint64_t palette_size = std::tuple_size_v<Palette>;
 std::string text(GLenum name) {
   const auto* value = reinterpret_cast<const char*>(glGetString(name));
   return value == nullptr ? "" : value;
-}
-
-std::string lower(std::string_view mixed) {
-  std::string result(mixed);
-  std::ranges::transform(result, result.begin(),
-                         [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return result;
 }
 
 // OpenGL does not report the kind of a device; its makers' names do, where it matters for the choice.
@@ -44,7 +36,7 @@ std::string typeOf(std::string_view renderer, std::string_view vendor) {
                                            {"nvidia", "discrete"},
                                            {"intel(r) arc", "discrete"},
                                            {"intel", "integrated"}}};
-  const auto words = lower(renderer) + " " + lower(vendor);
+  const auto words = lowerCase(renderer) + " " + lowerCase(vendor);
   const auto* const it =
       std::ranges::find_if(known, [&](const Known& k) { return words.find(k.part) != std::string::npos; });
   return std::string(it == known.end() ? "other" : it->type);
@@ -131,18 +123,11 @@ tl::unexpected<Error> cannotUse(const Device& device, std::size_t index) {
                                                              index, device.info.name, device.info.reason)});
 }
 
-std::optional<std::size_t> parseIndex(std::string_view wanted) {
-  std::size_t index = 0;
-  const auto* end = wanted.data() + wanted.size();
-  const auto [stop, error] = std::from_chars(wanted.data(), end, index);
-  return error == std::errc() && stop == end ? std::optional(index) : std::nullopt;
-}
-
 // The best of the devices whose name has the part, usable ones first; the list's end if none has.
 std::size_t bestNamed(const std::vector<Device>& devices, std::string_view part) {
   std::size_t best = devices.size();
   for (std::size_t i = 0; i < devices.size(); ++i) {
-    if (lower(devices[i].info.name).find(lower(part)) == std::string::npos) continue;
+    if (!isPartOf(part, devices[i].info.name)) continue;
     const auto key = [&](std::size_t k) { return std::pair(!devices[k].info.usable, rank(devices[k].info)); };
     if (best == devices.size() || key(i) < key(best)) best = i;
   }
@@ -163,7 +148,7 @@ std::vector<Device> findDevices(const Mask& mask, Drivers drivers) {
 }
 
 Result<Device> chooseDevice(std::vector<Device> devices, std::string_view wanted) {
-  const auto index = parseIndex(wanted).value_or(bestNamed(devices, wanted));
+  const auto index = wholeNumber<std::size_t>(wanted).value_or(bestNamed(devices, wanted));
   if (index >= devices.size()) {
     return tl::unexpected(
         Error{ErrorCode::device, fmt::format("opengl: there is no device '{}' among the {} here; list "

@@ -1,8 +1,6 @@
 #include "backend/vulkan/physical.h"
 
 #include <algorithm>
-#include <cctype>
-#include <charconv>
 #include <cmath>
 #include <cstring>
 #include <limits>
@@ -14,6 +12,7 @@
 #include "backend/vulkan/error.h"
 #include "backend/vulkan/handle.h"
 #include "base/try.h"
+#include "base/words.h"
 #include "layout.glsl"
 
 namespace vorpipe::vulkan {
@@ -237,19 +236,9 @@ Result<Physical> describe(VkPhysicalDevice handle, const Mask& mask, Pipeline pi
   return device;
 }
 
-// Whether part is a part of whole, in any case.
-bool isPartOf(std::string_view part, std::string_view whole) {
-  const auto same = [](char a, char b) {
-    return std::tolower(static_cast<unsigned char>(a)) == std::tolower(static_cast<unsigned char>(b));
-  };
-  return std::search(whole.begin(), whole.end(), part.begin(), part.end(), same) != whole.end();
-}
-
 std::vector<const Physical*> candidates(std::span<const Physical> devices, std::string_view wanted) {
-  std::size_t index = 0;
-  const auto [end, error] = std::from_chars(wanted.data(), wanted.data() + wanted.size(), index);
-  const bool is_number = error == std::errc() && end == wanted.data() + wanted.size();
-  if (is_number && index < devices.size()) return {&devices[index]};
+  const auto index = wholeNumber<std::size_t>(wanted);
+  if (index && *index < devices.size()) return {&devices[*index]};
   std::vector<const Physical*> found;
   for (const Physical& device : devices) {
     if (isPartOf(wanted, device.info.name)) found.push_back(&device);

@@ -5,11 +5,11 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <cmath>
 
 #include "base/option_names.h"
 #include "base/try.h"
+#include "base/words.h"
 #include "cli/options/unknown_option.h"
 #include "io/base/extension.h"
 #include "io/base/number.h"
@@ -60,13 +60,9 @@ std::vector<std::string> searchNames() { return namesFrom<Search>(); }
 std::vector<std::string> colorNames() { return namesFrom<ColorBy>(); }
 
 Parsed<std::uint64_t> parseWhole(std::string_view text, std::uint64_t low, std::uint64_t high) {
-  std::uint64_t value = 0;
-  const char* end = text.data() + text.size();
-  const auto [stop, code] = std::from_chars(text.data(), end, value);
-  if (code != std::errc() || stop != end || value < low || value > high) {
-    return bad(fmt::format("{} is not a whole number from {} to {}", inQuotes(text), low, high));
-  }
-  return value;
+  const auto value = wholeNumber<std::uint64_t>(text);
+  if (value && *value >= low && *value <= high) return *value;
+  return bad(fmt::format("{} is not a whole number from {} to {}", inQuotes(text), low, high));
 }
 
 Parsed<Box> parseBox(std::string_view text) {
@@ -223,9 +219,7 @@ Parsed<std::string> parseFile(std::string_view text, std::string_view extension)
 }
 
 Parsed<FormatChoice> parseFormat(std::string_view text) {
-  std::string lower(text);
-  std::ranges::transform(lower, lower.begin(),
-                         [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; });
+  const std::string lower = lowerCase(text);
   const std::size_t comma = std::min(lower.find(','), lower.size());
   FormatChoice choice{lower.substr(0, comma), comma < lower.size() ? lower.substr(comma + 1) : lower};
   if (isKind(choice.input) && isKind(choice.output)) return choice;

@@ -7,19 +7,13 @@
 #include <string_view>
 #include <vector>
 
+#include "base/words.h"
 #include "io/base/quoted.h"
 
 namespace vorpipe::cli {
 namespace {
 
 constexpr std::size_t most_edits = 2;
-
-std::string lower(std::string_view text) {
-  std::string result(text);
-  std::ranges::transform(result, result.begin(),
-                         [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return result;
-}
 
 /// Returns how many letters must be added, omitted, changed, or swapped with the next to turn a into b.
 std::size_t edits(std::string_view a, std::string_view b) {
@@ -43,7 +37,7 @@ std::size_t edits(std::string_view a, std::string_view b) {
 /// there is none.
 std::string closestTo(std::string_view typed, std::span<const std::string> known) {
   constexpr std::size_t longest = 40;
-  const std::string word = lower(typed);
+  const std::string word = lowerCase(typed);
   const std::string_view letters =
       std::string_view(word).substr(std::min(word.find_first_not_of('-'), word.size()));
   if (letters.size() < 2 || word.size() > longest) return {};
@@ -51,14 +45,14 @@ std::string closestTo(std::string_view typed, std::span<const std::string> known
   std::size_t best = std::min(most_edits, letters.size() - 2) + 1;
   std::string closest;
   for (const std::string& candidate : known) {
-    const std::size_t distance = edits(word, lower(candidate));
+    const std::size_t distance = edits(word, lowerCase(candidate));
     if (distance >= best) continue;
     best = distance;
     closest = candidate;
   }
   if (!closest.empty()) return closest;
   for (const std::string& candidate : known) {
-    if (!lower(candidate).starts_with(word)) continue;
+    if (!lowerCase(candidate).starts_with(word)) continue;
     if (closest.empty() || candidate.size() < closest.size()) closest = candidate;
   }
   return closest;

@@ -25,7 +25,7 @@ bool hasValue(std::string_view number) {
 
 bool isJsonInteger(std::string_view text) {
   const std::string_view digits = text.substr(text.starts_with('-') ? 1 : 0);
-  return parseInteger(text) && (digits.size() == 1 || !digits.starts_with('0'));
+  return wholeNumber<std::int64_t>(text) && (digits.size() == 1 || !digits.starts_with('0'));
 }
 
 bool isJsonNumber(std::string_view text) {

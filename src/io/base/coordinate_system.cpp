@@ -57,7 +57,7 @@ void takeId(std::string_view id, CoordinateSystem& system) {
     return text.substr(0, text.find('"'));
   };
   const std::string_view organization = unquoted(id.substr(0, comma)), code = unquoted(id.substr(comma + 1));
-  const auto number = parseInteger(code);
+  const auto number = wholeNumber<std::int64_t>(code);
   if (organization.empty() || !number) return;
   system.organization = upperCase(organization);
   system.code = *number;
@@ -196,7 +196,7 @@ tl::expected<CoordinateSystem, std::string> systemNamed(std::string_view text) {
   const std::string lower = lowerCase(text);
   const std::string_view last = std::string_view(lower).substr(lower.find_last_of(":/") + 1);
   if (last == "crs84" || last == "crs84h") return wgs84();
-  const std::int64_t code = parseInteger(last).value_or(0);
+  const std::int64_t code = wholeNumber<std::int64_t>(last).value_or(0);
   const bool of_epsg = last.size() == lower.size() || lower.find("epsg") != std::string::npos;
   if (of_epsg && code > 0) return systemOfCode(code);
   return tl::unexpected(fmt::format("{} is no system of EPSG and not CRS84", inQuotes(text)));

@@ -60,12 +60,6 @@ std::string_view trimmed(std::string_view text) {
   return text.substr(0, text.find_last_not_of(blanks) + 1);
 }
 
-std::string lowerCase(std::string_view text) {
-  std::string lower(text);
-  for (char& c : lower) c = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
-  return lower;
-}
-
 std::string upperCase(std::string_view text) {
   std::string upper(text);
   for (char& c : upper) c = c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c;
@@ -79,13 +73,6 @@ bool isMissingValue(std::string_view text) {
   // Nearly all fields are numbers.
   if (text.size() > 4 || (!text.empty() && text[0] >= '0' && text[0] <= '9')) return false;
   return std::ranges::find(spellings, text) != spellings.end();
-}
-
-std::optional<std::int64_t> parseInteger(std::string_view text) {
-  std::int64_t value = 0;
-  const char* const last = text.data() + text.size();
-  const auto [stop, error] = std::from_chars(text.data(), last, value);
-  return stop == last && error == std::errc() ? std::optional(value) : std::nullopt;
 }
 
 tl::expected<double, std::string> parseNumber(std::string_view text) { return numberIn(text, text); }

@@ -6,6 +6,7 @@
 #include <string>
 #include <string_view>
 
+#include "base/words.h"
 #include "vorpipe.h"
 
 namespace vorpipe {
@@ -13,16 +14,12 @@ namespace vorpipe {
 /// `text` without blanks and tabs at both ends.
 std::string_view trimmed(std::string_view text);
 
-/// `text` with ASCII letters in lower or upper case.
-std::string lowerCase(std::string_view text);
+/// `text` with ASCII letters in upper case.
 std::string upperCase(std::string_view text);
 
 /// Whether a field marks a missing value, as people, R and NumPy write it: it is empty, NA, N/A, nan, NaN,
 /// NULL, None, a minus or a point.
 bool isMissingValue(std::string_view text);
-
-/// Reads a whole text as an integer in decimal digits; none if it is another text, or beyond 64 bits.
-std::optional<std::int64_t> parseInteger(std::string_view text);
 
 /// Reads a finite decimal number, blanks around it and a leading + allowed, to the nearest double; one too
 /// small for a double becomes 0. The error states what is wrong with the text, in words that continue

@@ -103,7 +103,7 @@ WktProblem WktTokens::takeSystem(std::optional<std::int64_t>& code) {
   constexpr std::string_view before = "SRID=";
   if (!sameWord(token_.substr(0, before.size()), before)) return {};
   const std::string_view digits = token_.substr(before.size());
-  const auto number = parseInteger(digits);
+  const auto number = wholeNumber<std::int64_t>(digits);
   if (!number) return wrong(fmt::format("{} is no number of a coordinate system", inQuotes(digits)));
   code = number;
   next();

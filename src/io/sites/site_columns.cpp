@@ -5,12 +5,11 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <cmath>
-#include <system_error>
 #include <utility>
 
 #include "base/try.h"
+#include "base/words.h"
 #include "io/base/error.h"
 #include "io/base/number.h"
 #include "io/base/quoted.h"
@@ -36,15 +35,6 @@ constexpr std::array<Synonym, 6> x_names = {{{"x", CoordinateKind::unknown},
 constexpr std::array<Synonym, 4> y_names = {
     {{"y", CoordinateKind::unknown}, {"lat", of_degrees}, {"latitude", of_degrees}, {"northing", of_plane}}};
 constexpr std::array<std::string_view, 4> geometry_names = {"wkt", "geometry", "geom", "the_geom"};
-
-/// Returns the number, from 1, that a text is; none if it is a name.
-std::optional<std::size_t> columnNumber(std::string_view text) {
-  std::size_t number = 0;
-  const char* const last = text.data() + text.size();
-  const auto [stop, error] = std::from_chars(text.data(), last, number);
-  if (text.empty() || stop != last || error != std::errc()) return std::nullopt;
-  return number;
-}
 
 tl::unexpected<ColumnProblem> problem(std::size_t column, std::string what) {
   return tl::unexpected(ColumnProblem{column, std::move(what)});
@@ -89,7 +79,7 @@ std::string headerText(std::span<const std::string> names) {
 /// Returns a column by number or name; an exact match precedes one in another case.
 tl::expected<std::size_t, ColumnProblem> chosenColumn(std::span<const std::string> names,
                                                       const std::string& text) {
-  if (const auto number = columnNumber(text)) {
+  if (const auto number = wholeNumber<std::size_t>(text)) {
     if (*number >= 1 && *number <= names.size()) return *number - 1;
     return problem(0, fmt::format("there is no column {}; there are {}", text, names.size()));
   }
@@ -245,7 +235,7 @@ std::optional<std::pair<std::size_t, std::size_t>> positionsWithoutHeader(
     std::span<const std::string> chosen) {
   if (chosen.empty()) return std::pair<std::size_t, std::size_t>(0, 1);
   if (chosen.size() == 1) return std::nullopt;
-  const auto x = columnNumber(chosen[0]), y = columnNumber(chosen[1]);
+  const auto x = wholeNumber<std::size_t>(chosen[0]), y = wholeNumber<std::size_t>(chosen[1]);
   if (!x || !y || *x < 1 || *y < 1) return std::nullopt;
   return std::pair(*x - 1, *y - 1);
 }
@@ -254,7 +244,7 @@ Result<std::vector<std::size_t>> numberedColumns(std::span<const std::string> co
                                                  std::string_view name) {
   std::vector<std::size_t> chosen;
   for (const std::string& column : columns) {
-    const auto number = columnNumber(column);
+    const auto number = wholeNumber<std::size_t>(column);
     if (!number) {
       return inputError(fmt::format("{}: its columns have no names, as {}; they have numbers from 1", name,
                                     inQuotes(column)));

@@ -5,14 +5,13 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <cmath>
 #include <filesystem>
 #include <new>
 #include <string_view>
-#include <system_error>
 #include <utility>
 
+#include "base/words.h"
 #include "io/base/error.h"
 #include "io/base/quoted.h"
 #include "io/sites/sites_file.h"
@@ -37,11 +36,8 @@ std::optional<Pattern> patternNamed(std::string_view name) {
 
 /// A whole number from 1 to max_sites.
 std::optional<std::uint64_t> countOf(std::string_view text) {
-  std::uint64_t n = 0;
-  const char* const last = text.data() + text.size();
-  const auto [stop, error] = std::from_chars(text.data(), last, n);
-  if (stop != last || error != std::errc() || n < 1 || n > max_sites) return std::nullopt;
-  return n;
+  const auto n = wholeNumber<std::uint64_t>(text);
+  return n && *n >= 1 && *n <= max_sites ? n : std::nullopt;
 }
 
 Result<SiteSource> generateSites(Pattern pattern, std::string_view spec, std::string_view count,
