@@ -55,18 +55,12 @@ FluidSetup namedSetup(const std::string& name, std::uint64_t parcels) {
   raiseInput("begin", "'" + name + "' is none of " + known + "and no .npz file");
 }
 
-void choose(FluidSetup& setup, const std::optional<std::string>& scheme, std::optional<double> step,
-            std::optional<double> epsilon, std::optional<double> until, std::optional<double> tolerance,
-            std::optional<std::uint64_t> diagrams, const std::optional<std::array<double, 2>>& gravity,
+/// `given` has options by the names of fluid_rows.
+void choose(FluidSetup& setup, const py::dict& given, std::optional<std::uint64_t> diagrams,
             const std::string& search, int neighbors) {
   FluidOptions& options = setup.options;
-  if (scheme) options.scheme = chosen<FluidScheme>("scheme", *scheme);
-  options.step = step.value_or(options.step);
-  options.epsilon = epsilon.value_or(options.epsilon);
-  options.until = until.value_or(options.until);
-  options.tolerance = tolerance.value_or(options.tolerance);
+  takeOptions(fluid_rows, given, options);
   options.diagrams = diagrams.value_or(options.diagrams);
-  if (gravity) options.gravity = {(*gravity)[0], (*gravity)[1]};
   options.search = {chosen<Search>("search", search), neighbors};
 }
 
@@ -128,9 +122,9 @@ void defineSetup(py::module_& module) {
       .def_static("of", &setupOf, py::arg("input"), py::arg("velocities"), py::arg("volumes"),
                   py::arg("densities"))
       .def_static("named", &namedSetup, py::arg("name"), py::arg("parcels"))
-      .def("choose", &choose, py::kw_only(), py::arg("scheme"), py::arg("step"), py::arg("epsilon"),
-           py::arg("until"), py::arg("tolerance"), py::arg("diagrams"), py::arg("gravity"), py::arg("search"),
+      .def("choose", &choose, py::arg("options"), py::arg("diagrams"), py::arg("search"),
            py::arg("neighbors"));
+  module.attr("FLUID") = usualOptions<FluidOptions>(fluid_rows);
 }
 
 }  // namespace

@@ -5,10 +5,8 @@
 
 #include <array>
 #include <string>
-#include <type_traits>
 #include <utility>
 
-#include "base/option_rows.h"
 #include "choices.h"
 #include "results.h"
 
@@ -21,21 +19,6 @@ struct Colors {
   std::optional<std::pair<double, double>> range;
   bool legend, fill;
 };
-
-/// Flags and sizes by the names of picture_rows; those that are left out keep their defaults.
-void takeMarks(const py::dict& marks, RenderOptions& options) {
-  forEachRow(picture_rows, [&](const auto& row) {
-    auto& option = options.*row.member;
-    if (marks.contains(row.name)) option = marks[row.name].template cast<std::decay_t<decltype(option)>>();
-  });
-}
-
-/// The default of each of them.
-py::dict usualMarks() {
-  py::dict marks;
-  forEachRow(picture_rows, [&](const auto& row) { marks[row.name] = RenderOptions{}.*row.member; });
-  return marks;
-}
 
 Look lookOf(const std::optional<std::pair<int, int>>& size, const std::optional<std::string>& fit,
             const Colors& colors, const py::dict& marks, const std::string& search, int neighbors,
@@ -50,7 +33,7 @@ Look lookOf(const std::optional<std::pair<int, int>>& size, const std::optional<
   if (colors.range) options.color_range = ColorRange{colors.range->first, colors.range->second};
   options.legend = colors.legend;
   options.fill = colors.fill;
-  takeMarks(marks, options);
+  takeOptions(picture_rows, marks, options);
   options.search = {chosen<Search>("search", search), neighbors};
   if (view) options.view = Box{(*view)[0], (*view)[1], (*view)[2], (*view)[3]};
   return look;
@@ -77,7 +60,7 @@ void defineLook(py::module_& module) {
                        bool fill) { return Colors{by, map, scale, range, legend, fill}; }),
            py::arg("by"), py::arg("map"), py::arg("scale"), py::arg("range"), py::arg("legend"),
            py::arg("fill"));
-  module.attr("MARKS") = usualMarks();
+  module.attr("MARKS") = usualOptions<RenderOptions>(picture_rows);
   py::class_<Look>(module, "Look", "How a picture is to look.")
       .def(py::init(&lookOf), py::arg("size"), py::arg("fit"), py::arg("colors"), py::arg("marks"),
            py::arg("search"), py::arg("neighbors"), py::arg("view"));

@@ -69,24 +69,24 @@ py::array drawnPoints(const DensityArguments& density, const std::array<double, 
 }  // namespace
 
 RelaxOptions relaxOptionsOf(const Input& input, const RelaxArguments& given) {
-  RelaxOptions options{};
+  RelaxOptions options = given.options;
   options.domain = input.domain;
   options.outline = input.outline;
   options.periodic = input.periodic;
   options.density = input.density;
-  options.equal_masses = given.equal_masses;
   options.search = {chosen<Search>("search", given.search), given.neighbors};
-  options.method = chosen<RelaxMethod>("method", given.method);
-  options.iterations = given.iterations;
-  options.tolerance = given.tolerance;
   return options;
 }
 
 void defineRelaxing(py::module_& module) {
   py::class_<RelaxArguments>(module, "RelaxArguments", "How sites move.")
-      .def(py::init<std::string, std::uint64_t, double, bool, std::string, int>(), py::arg("method"),
-           py::arg("iterations"), py::arg("tolerance"), py::arg("equal_masses"), py::arg("search"),
-           py::arg("neighbors"));
+      .def(py::init([](const py::dict& given, std::string search, int neighbors) {
+             RelaxOptions options{};
+             takeOptions(relax_rows, given, options);
+             return RelaxArguments{std::move(options), std::move(search), neighbors};
+           }),
+           py::arg("options"), py::arg("search"), py::arg("neighbors"));
+  module.attr("RELAX") = usualOptions<RelaxOptions>(relax_rows);
   py::class_<RelaxResult, SharedRelaxed>(module, "Relaxed", "Sites that have moved.")
       .def_property_readonly("points", &relaxedPoints)
       .def_property_readonly("energy", traced(&RelaxStep::energy))

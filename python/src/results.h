@@ -63,8 +63,7 @@ struct TransportArguments {
   bool normalize;
   std::optional<double> fill;
   bool free_surface;
-  double tolerance;
-  std::uint64_t diagrams;
+  TransportOptions options;  ///< of transport_rows
   std::string search;
   int neighbors;
 };
@@ -74,17 +73,7 @@ TransportOptions transportOptionsOf(const Input& input, const TransportArguments
 
 /// How sites are to move; by name what is chosen.
 struct RelaxArguments {
-  RelaxArguments(std::string by, std::uint64_t most, double near, bool equal, std::string found, int count)
-      : method(std::move(by)),
-        iterations(most),
-        tolerance(near),
-        equal_masses(equal),
-        search(std::move(found)),
-        neighbors(count) {}
-  std::string method;
-  std::uint64_t iterations;
-  double tolerance;
-  bool equal_masses;
+  RelaxOptions options;  ///< of relax_rows
   std::string search;
   int neighbors;
 };

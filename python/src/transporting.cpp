@@ -70,7 +70,7 @@ TransportOptions transportOptionsOf(const Input& input, const TransportArguments
   if (given.normalize && (given.free_surface || given.fill)) {
     refuse("normalize: cells with a free surface do not fill the domain; fill scales them");
   }
-  TransportOptions options{};
+  TransportOptions options = given.options;
   options.domain = input.domain;
   options.outline = input.outline;
   options.periodic = input.periodic;
@@ -78,8 +78,6 @@ TransportOptions transportOptionsOf(const Input& input, const TransportArguments
   options.surface = given.free_surface || given.fill ? Surface::free : Surface::none;
   options.search = {chosen<Search>("search", given.search), given.neighbors};
   options.masses = given.masses;
-  options.tolerance = given.tolerance;
-  options.diagrams = given.diagrams;
   return options;
 }
 
@@ -99,13 +97,15 @@ void defineTransporting(py::module_& module) {
       .def(pickles<TransportStep>());
   py::class_<TransportArguments>(module, "TransportArguments", "Which masses cells are to have.")
       .def(py::init([](std::vector<double> masses, bool normalize, std::optional<double> fill,
-                       bool free_surface, double tolerance, std::uint64_t diagrams, std::string search,
-                       int neighbors) {
-             return TransportArguments{std::move(masses), normalize, fill, free_surface, tolerance, diagrams,
-                                       std::move(search), neighbors};
+                       bool free_surface, const py::dict& options, std::string search, int neighbors) {
+             TransportArguments made{std::move(masses), normalize, fill, free_surface, {},
+                                     std::move(search), neighbors};
+             takeOptions(transport_rows, options, made.options);
+             return made;
            }),
            py::kw_only(), py::arg("masses"), py::arg("normalize"), py::arg("fill"), py::arg("free_surface"),
-           py::arg("tolerance"), py::arg("diagrams"), py::arg("search"), py::arg("neighbors"));
+           py::arg("options"), py::arg("search"), py::arg("neighbors"));
+  module.attr("TRANSPORT") = usualOptions<TransportOptions>(transport_rows);
   py::class_<TransportResult, SharedTransport>(module, "Transported", "Weights that give cells their masses.")
       .def_property_readonly("weights",
                              [](const TransportResult& result) { return copyOf(result.found.sites.weight); })

@@ -132,18 +132,24 @@ def range_of(value: Optional[Sequence[float]]) -> Optional[Tuple[float, float]]:
     return low, high
 
 
-def marks_of(given: Mapping[str, Any]) -> Dict[str, Union[bool, float]]:
-    """The flags and sizes of a picture's marks, each of the type of its default; None stands for a dot's size."""
-    marks: Dict[str, Union[bool, float]] = {}
-    for name, usual in _vorpipe.MARKS.items():
-        value = given.get(name, usual)
-        if isinstance(usual, bool):
-            marks[name] = flag_of(name, value)
-        elif isinstance(usual, int):
-            marks[name] = whole_of(name, value, -2**31, 2**31 - 1)
+def options_of(usual: Mapping[str, Any], given: Mapping[str, Any]) -> Dict[str, Any]:
+    """Options, each of the type of its default."""
+    options: Dict[str, Any] = {}
+    for name, value in given.items():
+        default = usual[name]
+        if isinstance(default, bool):
+            options[name] = flag_of(name, value)
+        elif isinstance(default, str):
+            options[name] = text_of(name, value)
+        elif isinstance(default, tuple):
+            options[name] = pair_of(name, value)
+        elif name in ('iterations', 'diagrams'):
+            options[name] = iterations_of(value, name)
+        elif isinstance(default, int):
+            options[name] = whole_of(name, value, -2**31, 2**31 - 1)
         else:
-            marks[name] = number_of(name, usual if name == 'dot_size' and value is None else value)
-    return marks
+            options[name] = number_of(name, value)
+    return options
 
 
 def look_of(size: Optional[Sequence[int]], color: str, *, colormap: str = 'viridis', color_scale: Optional[str] = None,
@@ -155,8 +161,10 @@ def look_of(size: Optional[Sequence[int]], color: str, *, colormap: str = 'virid
     method, neighbors = search_of(search)
     colors = _vorpipe.Colors(text_of('color', color), colormap, text_or_none('color_scale', color_scale),
                              range_of(color_range), flag_of('legend', legend), flag_of('fill', fill))
-    return _vorpipe.Look(size_of(size), text_or_none('fit', fit), colors, marks_of(marks), method, neighbors,
-                         box_of(view, 'view'))
+    if marks.get('dot_size') is None:
+        marks.pop('dot_size', None)
+    return _vorpipe.Look(size_of(size), text_or_none('fit', fit), colors, options_of(_vorpipe.MARKS, marks), method,
+                         neighbors, box_of(view, 'view'))
 
 
 def density_of(value: Any, box: Optional[Sequence[float]] = None) -> Optional[Density]:
@@ -252,13 +260,11 @@ def positive_of(argument: str, value: Any, count: int) -> Optional[Floats]:
     return array
 
 
-def gravity_of(value: Any) -> Optional[Tuple[float, float]]:
+def pair_of(argument: str, value: Any) -> Tuple[float, float]:
     """(x, y)."""
-    if value is None:
-        return None
-    array = numbers('gravity', value)
+    array = numbers(argument, value)
     if array.shape != (2,):
-        raise refuse('gravity', f'shape {array.shape}, must be 2 numbers: x, y')
+        raise refuse(argument, f'shape {array.shape}, must be 2 numbers: x, y')
     return float(array[0]), float(array[1])
 
 

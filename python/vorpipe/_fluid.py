@@ -75,12 +75,11 @@ class Fluid:
                                            _arguments.positive_of('volumes', volumes, count),
                                            _arguments.positive_of('densities', densities, count))
         found, neighbors = _arguments.search_of(search)
-        setup.choose(scheme=_scalars.text_or_none('scheme', scheme), step=_scalars.number_or_none('step', step),
-                     epsilon=_scalars.number_or_none('epsilon', epsilon),
-                     until=_scalars.number_or_none('until', until),
-                     tolerance=_scalars.number_or_none('tolerance', tolerance),
-                     diagrams=None if diagrams is None else _arguments.iterations_of(diagrams, 'diagrams'),
-                     gravity=_arguments.gravity_of(gravity), search=found, neighbors=neighbors)
+        named = {'scheme': scheme, 'step': step, 'epsilon': epsilon, 'until': until, 'tolerance': tolerance,
+                 'gravity': gravity}
+        options = _arguments.options_of(_vorpipe.FLUID, {k: v for k, v in named.items() if v is not None})
+        most = None if diagrams is None else _arguments.iterations_of(diagrams, 'diagrams')
+        setup.choose(options, most, found, neighbors)
         if session is not None and not isinstance(session, Session):
             raise _scalars.refuse('session', f'a {type(session).__name__} is no Session')
         self._session = session or shared_session(backend_for(backend, device, count), device, threads)

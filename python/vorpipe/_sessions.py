@@ -156,10 +156,9 @@ class Session:
         wanted = _arguments.domain_of(domain, outline, margin, repair, project)
         taken = input_of(points, weights, wanted, periodic, density, attributes, crs, density_box=density_box)
         found, neighbors = _arguments.search_of(search)
-        most = _arguments.iterations_of(iterations)
-        arguments = _vorpipe.RelaxArguments(_scalars.text_of('method', method), most,
-                                            _scalars.number_of('tolerance', tolerance),
-                                            _scalars.flag_of('equal_masses', equal_masses), found, neighbors)
+        options = _arguments.options_of(_vorpipe.RELAX, {'method': method, 'iterations': iterations,
+                                                         'tolerance': tolerance, 'equal_masses': equal_masses})
+        arguments = _vorpipe.RelaxArguments(options, found, neighbors)
         return Relaxed(self._session.relax(taken, arguments, _scalars.call_of('progress', progress)))
 
     def transport(self, points: Any, masses: Any = None, density: Any = None, domain: Any = None,
@@ -177,13 +176,11 @@ class Session:
         if _scalars.flag_of('skip_zero', skip_zero):
             taken, masses = without_zeros(taken, masses)
         found, neighbors = _arguments.search_of(search)
-        arguments = _vorpipe.TransportArguments(masses=masses,
-                                                normalize=_scalars.flag_of('normalize', normalize),
+        options = _arguments.options_of(_vorpipe.TRANSPORT, {'tolerance': tolerance, 'diagrams': diagrams})
+        arguments = _vorpipe.TransportArguments(masses=masses, normalize=_scalars.flag_of('normalize', normalize),
                                                 fill=_scalars.number_or_none('fill', fill),
-                                                free_surface=_arguments.surface_of(surface),
-                                                tolerance=_scalars.number_of('tolerance', tolerance),
-                                                diagrams=_arguments.iterations_of(diagrams, 'diagrams'), search=found,
-                                                neighbors=neighbors)
+                                                free_surface=_arguments.surface_of(surface), options=options,
+                                                search=found, neighbors=neighbors)
         found_weights = self._session.transport(taken, arguments, _scalars.call_of('callback', callback),
                                                 _scalars.call_of('progress', progress))
         return Transported(found_weights, self)

@@ -13,10 +13,14 @@ _System = Tuple[str, str, int, str]
 _Progress = Optional[Callable[[str, float], Optional[bool]]]
 _Forecast = Tuple[int, List[Tuple[str, int]], int, str]
 _NamedColumns = Tuple[Optional[int], Optional[int], Optional[int], Optional[int], bool, str, str]
+_Options = Dict[str, Any]
 _Mask = Tuple[List[str], List[Tuple[str, int]]]
 
 LARGEST_SIDE: int
-MARKS: Dict[str, Union[bool, float]]
+MARKS: _Options
+RELAX: _Options
+TRANSPORT: _Options
+FLUID: _Options
 NO_SITE: int
 WALLS: Tuple[int, int, int, int, int]
 __version__: str
@@ -287,8 +291,7 @@ class Arithmetic:
     def subpixel_bits(self) -> Optional[int]: ...
 
 class RelaxArguments:
-    def __init__(self, method: str, iterations: int, tolerance: float, equal_masses: bool, search: str,
-                 neighbors: int) -> None: ...
+    def __init__(self, options: _Options, search: str, neighbors: int) -> None: ...
 
 class Relaxed:
     @property
@@ -341,7 +344,7 @@ class TransportStep:
 
 class TransportArguments:
     def __init__(self, *, masses: _Floats, normalize: bool, fill: Optional[float], free_surface: bool,
-                 tolerance: float, diagrams: int, search: str, neighbors: int) -> None: ...
+                 options: _Options, search: str, neighbors: int) -> None: ...
 
 class Transported:
     @property
@@ -429,9 +432,7 @@ class FluidSetup:
            densities: Optional[_Floats]) -> FluidSetup: ...
     @staticmethod
     def named(name: bytes, parcels: int) -> FluidSetup: ...
-    def choose(self, *, scheme: Optional[str], step: Optional[float], epsilon: Optional[float],
-               until: Optional[float], tolerance: Optional[float], diagrams: Optional[int],
-               gravity: Optional[Tuple[float, float]], search: str, neighbors: int) -> None: ...
+    def choose(self, options: _Options, diagrams: Optional[int], search: str, neighbors: int) -> None: ...
 
 class Fluid:
     def __len__(self) -> int: ...

@@ -114,7 +114,12 @@ inline constexpr auto picture_rows = std::tuple_cat(mark_rows, std::tuple{antial
 inline constexpr double without_end = std::numeric_limits<double>::infinity(),
                         above_zero = std::numeric_limits<double>::denorm_min();
 
-inline constexpr std::tuple relax_rows{
+inline constexpr FlagRow<RelaxOptions> equal_masses_row{
+    "equal_masses", &RelaxOptions::equal_masses,
+    "relaxes under the square of the density: then cells get equal masses, as stippling wants "
+    "it; else sites are as dense as its square root"};
+
+inline constexpr std::tuple method_rows{
     ChoiceRow<RelaxOptions, RelaxMethod>{
         "method", &RelaxOptions::method, "NAME",
         "how sites move: lbfgs, which comes as far in 30 diagrams as Lloyd's steps in 200; or lloyd, "
@@ -141,10 +146,7 @@ inline constexpr std::tuple relax_rows{
         "area [{2}: never]",
         "a number of 0 or more"}};
 
-inline constexpr FlagRow<RelaxOptions> equal_masses_row{
-    "equal_masses", &RelaxOptions::equal_masses,
-    "relaxes under the square of the density: then cells get equal masses, as stippling wants "
-    "it; else sites are as dense as its square root"};
+inline constexpr auto relax_rows = std::tuple_cat(method_rows, std::tuple{equal_masses_row});
 
 inline constexpr std::tuple transport_rows{
     NumberRow<TransportOptions, double>{

@@ -106,11 +106,13 @@ def test_what_is_wrong_about_a_picture_is_named(argument, arguments):
     assert caught.value.subject == argument
 
 
-@pytest.mark.parametrize('call', [vorpipe.render, vorpipe.draw, vorpipe.Session.render, vorpipe.Session.draw])
-def test_marks_have_the_defaults_of_the_library(call):
-    arguments = inspect.signature(call).parameters
-    assert {name: arguments[name].default or usual for name, usual in vorpipe._vorpipe.MARKS.items()} \
-        == vorpipe._vorpipe.MARKS
+@pytest.mark.parametrize('function, options', [
+    ('render', 'MARKS'), ('draw', 'MARKS'), ('relax', 'RELAX'), ('transport', 'TRANSPORT')])
+def test_options_have_the_defaults_of_the_library(function, options):
+    expected = getattr(vorpipe._vorpipe, options)
+    for call in (getattr(vorpipe, function), getattr(vorpipe.Session, function)):
+        arguments = inspect.signature(call).parameters
+        assert {name: arguments[name].default or usual for name, usual in expected.items()} == expected
 
 
 def fluid(**arguments):

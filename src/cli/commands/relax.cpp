@@ -150,7 +150,7 @@ Result<ExitCode> relax(RelaxCommand& command, const Invocation& how) {
 void addMethodOptions(Options& options, RelaxCommand& command) {
   options.group("Relaxation");
   const auto add = [&](const auto& row) { addRow(options, row, command.options, command.given); };
-  forEachRow(relax_rows, add);
+  forEachRow(method_rows, add);
   addDensityOptions(options, command.density,
                     "sites gather where it is high. --sites density:N draws N sites from it, as dense as it "
                     "is, in the box of its pixels where no --domain is named");
