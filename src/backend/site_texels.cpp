@@ -56,11 +56,9 @@ void splitBox(const Point& center, const Box& box, float (&high)[4], float (&low
 
 template <class Texel, class Make>
 void writeAll(std::size_t count, std::byte* to, const Make& make) {
-  parallelFor(count, sites_at_once, 0, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t i = begin; i < end; ++i) {
-      const Texel texel = make(i);
-      std::memcpy(to + i * sizeof(Texel), &texel, sizeof(Texel));
-    }
+  parallelEach(count, sites_at_once, 0, [&](std::size_t i) {
+    const Texel texel = make(i);
+    std::memcpy(to + i * sizeof(Texel), &texel, sizeof(Texel));
   });
 }
 

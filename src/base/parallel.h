@@ -34,6 +34,14 @@ inline std::size_t grainFor(std::size_t steps, std::size_t most) {
 void parallelFor(std::size_t count, std::size_t grain, int threads,
                  const std::function<void(std::size_t begin, std::size_t end)>& body);
 
+/// Calls body(i) for each i in [0, count), in such ranges.
+template <class Body>
+void parallelEach(std::size_t count, std::size_t grain, int threads, const Body& body) {
+  parallelFor(count, grain, threads, [&body](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) body(i);
+  });
+}
+
 /// Sorts numbers in place, ascending, on up to `threads` threads; 0: all of the machine's. None is NaN.
 void parallelSort(std::span<double> numbers, int threads);
 

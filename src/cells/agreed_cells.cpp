@@ -255,10 +255,8 @@ Result<TiedCells> reconcile(const SearchInput& input, NeighborRows& rows, const 
 /// The centroid of a site without a cell is the caller's site, to the last bit: scaled ones may be rounded.
 void keepSitesWithoutCells(const Sites& sites, int threads, Diagram& diagram) {
   constexpr std::size_t grain = 1 << 14;
-  parallelFor(sites.size(), grain, threads, [&](std::size_t begin, std::size_t end) {
-    for (auto i = begin; i < end; ++i) {
-      if (diagram.status[i] == Status::empty) diagram.centroid[i] = {sites.x[i], sites.y[i]};
-    }
+  parallelEach(sites.size(), grain, threads, [&](std::size_t i) {
+    if (diagram.status[i] == Status::empty) diagram.centroid[i] = {sites.x[i], sites.y[i]};
   });
 }
 

@@ -78,16 +78,14 @@ Result<void> secure(const Backend& backend, std::size_t count, int threads, Cell
     return tl::unexpected(nonsense(backend, wrong));
   }
   std::atomic<bool> any = false;
-  parallelFor(count, answers_grain, threads, [&](std::size_t begin, std::size_t end) {
-    for (auto e = begin; e < end; ++e) {
-      const auto [self, most] = limitsOf(e);
-      const auto neighbors =
-          std::span(cells.neighbor).subspan(cells.offsets[e], cells.offsets[e + 1] - cells.offsets[e]);
-      const bool known = cells.status[e] <= CellStatus::open;
-      if (known && couldBe(cells.status[e], neighbors, self, most)) continue;
-      cells.status[e] = CellStatus::missing;
-      any.store(true, std::memory_order_relaxed);
-    }
+  parallelEach(count, answers_grain, threads, [&](std::size_t e) {
+    const auto [self, most] = limitsOf(e);
+    const auto neighbors =
+        std::span(cells.neighbor).subspan(cells.offsets[e], cells.offsets[e + 1] - cells.offsets[e]);
+    const bool known = cells.status[e] <= CellStatus::open;
+    if (known && couldBe(cells.status[e], neighbors, self, most)) return;
+    cells.status[e] = CellStatus::missing;
+    any.store(true, std::memory_order_relaxed);
   });
   if (any) dropOthers(cells);
   return {};
@@ -142,18 +140,14 @@ void PixelCheck::apply(std::span<const CellStatus> status, const Palette& palett
     const auto greatest = std::max_element(sites_.id.begin(), sites_.id.end());
     shown_.resize(greatest == sites_.id.end() ? 0 : std::size_t{*greatest} + 1);
   }
-  parallelFor(sites_.size(), answers_grain, threads_, [&](std::size_t begin, std::size_t end) {
-    for (auto i = begin; i < end; ++i) {
-      const bool has_cell = status[i] == CellStatus::certified;
-      shown_[sites_.id[i]] = has_cell ? static_cast<std::uint16_t>(palette_index_[i] + 1) : std::uint16_t{0};
-    }
+  parallelEach(sites_.size(), answers_grain, threads_, [&](std::size_t i) {
+    const bool has_cell = status[i] == CellStatus::certified;
+    shown_[sites_.id[i]] = has_cell ? static_cast<std::uint16_t>(palette_index_[i] + 1) : std::uint16_t{0};
   });
-  parallelFor(ids.size(), pixels_at_once, threads_, [&](std::size_t begin, std::size_t end) {
-    for (auto i = begin; i < end; ++i) {
-      const auto shown = ids[i] < shown_.size() ? shown_[ids[i]] : std::uint16_t{0};
-      rgba[i] = shown > 0 ? palette[shown - std::size_t{1}] : 0;
-      if (shown == 0) ids[i] = no_site;
-    }
+  parallelEach(ids.size(), pixels_at_once, threads_, [&](std::size_t i) {
+    const auto shown = ids[i] < shown_.size() ? shown_[ids[i]] : std::uint16_t{0};
+    rgba[i] = shown > 0 ? palette[shown - std::size_t{1}] : 0;
+    if (shown == 0) ids[i] = no_site;
   });
 }
 

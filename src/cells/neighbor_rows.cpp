@@ -14,9 +14,7 @@ constexpr std::size_t neighbor_rows_grain = std::size_t{1} << 15;
 }  // namespace
 
 NeighborRows::NeighborRows(std::size_t cells, int threads) : rows_(cells), threads_(threads) {
-  parallelFor(cells, neighbor_rows_grain, threads, [&](std::size_t begin, std::size_t end) {
-    for (auto i = begin; i < end; ++i) drop(i, CellStatus::missing);
-  });
+  parallelEach(cells, neighbor_rows_grain, threads, [&](std::size_t i) { drop(i, CellStatus::missing); });
 }
 
 void NeighborRows::add(std::span<const std::uint32_t> which, CellNeighbors found) {
@@ -54,9 +52,8 @@ void NeighborRows::makeReadable(std::span<const std::uint32_t> which, const Cell
 }
 
 void NeighborRows::add(std::span<const std::uint32_t> which, NeighborRows found) {
-  parallelFor(which.size(), neighbor_rows_grain, threads_, [&](std::size_t begin, std::size_t end) {
-    for (auto e = begin; e < end; ++e) rows_[which[e]] = found.rows_[e];
-  });
+  parallelEach(which.size(), neighbor_rows_grain, threads_,
+               [&](std::size_t e) { rows_[which[e]] = found.rows_[e]; });
   std::move(found.parts_.begin(), found.parts_.end(), std::back_inserter(parts_));
   for (const auto e : found.large_) large_.push_back(which[e]);
 }
@@ -70,14 +67,12 @@ std::vector<std::uint32_t> NeighborRows::large() const {
 
 EdgeIndex::EdgeIndex(const NeighborRows& cells, int threads) {
   for (const auto cell : cells.large()) large_.push_back({cell, {}});
-  parallelFor(large_.size(), 1, threads, [&](std::size_t begin, std::size_t end) {
-    for (auto k = begin; k < end; ++k) {
-      const auto row = cells.edges(large_[k].cell);
-      auto& edges = large_[k].edges;
-      edges.resize(row.size());
-      for (std::size_t e = 0; e < row.size(); ++e) edges[e] = {row[e], static_cast<std::uint32_t>(e)};
-      std::sort(edges.begin(), edges.end());
-    }
+  parallelEach(large_.size(), 1, threads, [&](std::size_t k) {
+    const auto row = cells.edges(large_[k].cell);
+    auto& edges = large_[k].edges;
+    edges.resize(row.size());
+    for (std::size_t e = 0; e < row.size(); ++e) edges[e] = {row[e], static_cast<std::uint32_t>(e)};
+    std::sort(edges.begin(), edges.end());
   });
 }
 

@@ -53,9 +53,7 @@ inline constexpr std::size_t tied_grain = 1024;
 /// Calls work(k) for each tied cell k, on several threads, in ranges of tied_grain.
 template <class Work>
 void forTiedCells(const TiedCells& tied, int threads, const Work& work) {
-  parallelFor(tied.cell.size(), tied_grain, threads, [&](std::size_t begin, std::size_t end) {
-    for (auto k = begin; k < end; ++k) work(k);
-  });
+  parallelEach(tied.cell.size(), tied_grain, threads, [&](std::size_t k) { work(k); });
 }
 
 /// Stores in `edges` the indices of those edges of tied cell k that are not ties, beginning with the smallest

@@ -104,14 +104,11 @@ class VertexBuilder {
   /// index, the one farthest from it, and the one farthest from the line through both. If the three are
   /// nearly collinear, the vertex gets no position.
   void placeInside() {
-    parallelFor(tied_.position.size(), tied_grain, proposed_.threads,
-                [&](std::size_t begin, std::size_t end) {
-                  for (auto v = begin; v < end; ++v) {
-                    const auto first = tied_.around.begin();
-                    std::sort(first + tied_.around_offsets[v], first + tied_.around_offsets[v + 1]);
-                    placeBetween(tied_.cellsAt(v), tied_.position[v]);
-                  }
-                });
+    parallelEach(tied_.position.size(), tied_grain, proposed_.threads, [&](std::size_t v) {
+      const auto first = tied_.around.begin();
+      std::sort(first + tied_.around_offsets[v], first + tied_.around_offsets[v + 1]);
+      placeBetween(tied_.cellsAt(v), tied_.position[v]);
+    });
   }
 
   /// Whether three sites are so nearly collinear that their power center may be far less precise than that of

@@ -96,9 +96,7 @@ double thinness(const CheckedCells& run, std::size_t i) {
 std::vector<std::size_t> thinnestCells(const CheckedCells& run) {
   constexpr std::size_t most = 64, most_cuts = 1 << 26;
   std::vector<double> thin(run.size());
-  parallelFor(run.size(), 4096, run.threads, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t i = begin; i < end; ++i) thin[i] = thinness(run, i);
-  });
+  parallelEach(run.size(), 4096, run.threads, [&](std::size_t i) { thin[i] = thinness(run, i); });
   std::vector<std::size_t> cells(run.size());
   for (std::size_t i = 0; i < cells.size(); ++i) cells[i] = i;
   const std::size_t count =

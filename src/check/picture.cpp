@@ -131,11 +131,9 @@ std::vector<std::uint32_t> trueIds(const CheckedSites& run, const Pixels& pixels
   const NearestSite nearest(run, rendering.owner);
   std::vector<std::uint32_t> ids = rendering.image.ids;
   constexpr std::size_t grain = 4096;
-  parallelFor(ids.size(), grain, run.threads, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t pixel = begin; pixel < end; ++pixel) {
-      if (!isSampled(pixel, ids.size()) || ids[pixel] == no_site) continue;
-      ids[pixel] = trueId(run, pixels, rendering, nearest, pixel);
-    }
+  parallelEach(ids.size(), grain, run.threads, [&](std::size_t pixel) {
+    if (!isSampled(pixel, ids.size()) || ids[pixel] == no_site) return;
+    ids[pixel] = trueId(run, pixels, rendering, nearest, pixel);
   });
   return ids;
 }

@@ -270,16 +270,14 @@ class Broken {
     std::mutex mutex;
     std::size_t first = count, wrong = 0;
     std::string text;
-    parallelFor(count, grain, threads, [&](std::size_t begin, std::size_t end) {
-      for (std::size_t i = begin; i < end; ++i) {
-        std::string what = test(i);
-        if (what.empty()) continue;
-        const std::lock_guard lock(mutex);
-        ++wrong;
-        if (i < first) {
-          first = i;
-          text = std::move(what);
-        }
+    parallelEach(count, grain, threads, [&](std::size_t i) {
+      std::string what = test(i);
+      if (what.empty()) return;
+      const std::lock_guard lock(mutex);
+      ++wrong;
+      if (i < first) {
+        first = i;
+        text = std::move(what);
       }
     });
     if (wrong == 0) return true;

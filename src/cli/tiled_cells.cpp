@@ -30,15 +30,13 @@ CellsSink sinkOf(Measured& measured, int threads) {
   constexpr std::size_t grain = std::size_t{1} << 14;
   return [&measured, threads](std::span<const std::uint32_t> sites,
                               std::span<const CellMeasures> measures) -> Result<void> {
-    parallelFor(sites.size(), grain, threads, [&](std::size_t begin, std::size_t end) {
-      for (auto k = begin; k < end; ++k) {
-        const auto i = sites[k];
-        const CellMeasures& cell = measures[k];
-        measured.area[i] = cell.area;
-        measured.centroid[i] = cell.centroid;
-        measured.neighbors[i] = cell.neighbors;
-        measured.status[i] = cell.status;
-      }
+    parallelEach(sites.size(), grain, threads, [&](std::size_t k) {
+      const auto i = sites[k];
+      const CellMeasures& cell = measures[k];
+      measured.area[i] = cell.area;
+      measured.centroid[i] = cell.centroid;
+      measured.neighbors[i] = cell.neighbors;
+      measured.status[i] = cell.status;
     });
     return {};
   };

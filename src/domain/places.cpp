@@ -189,12 +189,10 @@ Result<Sites> toPlane(const Projection& projection, const Sites& degrees, int th
   plane.x.resize(degrees.size());
   plane.y.resize(degrees.size());
   plane.weight = degrees.weight;
-  parallelFor(degrees.size(), places_grain, threadCount(threads), [&](std::size_t begin, std::size_t end) {
-    for (auto i = begin; i < end; ++i) {
-      const Point at = projection.toPlane({degrees.x[i], degrees.y[i]});
-      plane.x[i] = at.x;
-      plane.y[i] = at.y;
-    }
+  parallelEach(degrees.size(), places_grain, threadCount(threads), [&](std::size_t i) {
+    const Point at = projection.toPlane({degrees.x[i], degrees.y[i]});
+    plane.x[i] = at.x;
+    plane.y[i] = at.y;
   });
   return plane;
 }
@@ -207,9 +205,8 @@ Sites turned(const Projection& projection, Sites degrees) {
 
 void toDegrees(const Projection& projection, const Sites& degrees, Diagram& diagram, int threads) {
   const auto convert = [&](std::vector<Point>& points, const auto& convertOne) {
-    parallelFor(points.size(), places_grain, threadCount(threads), [&](std::size_t begin, std::size_t end) {
-      for (auto i = begin; i < end; ++i) points[i] = convertOne(i, points[i]);
-    });
+    parallelEach(points.size(), places_grain, threadCount(threads),
+                 [&](std::size_t i) { points[i] = convertOne(i, points[i]); });
   };
   convert(diagram.vertices, [&](std::size_t, Point at) { return projection.toDegrees(at); });
   // Without a cell, these are the site itself.
@@ -219,16 +216,14 @@ void toDegrees(const Projection& projection, const Sites& degrees, Diagram& diag
   convert(diagram.centroid, ofSite);
   convert(diagram.mass_centroid, ofSite);
   if (diagram.vertices.empty()) return;
-  parallelFor(diagram.size(), places_grain, threadCount(threads), [&](std::size_t begin, std::size_t end) {
-    for (auto i = begin; i < end; ++i) joinTurns(degrees.x[i], i, diagram);
-  });
+  parallelEach(diagram.size(), places_grain, threadCount(threads),
+               [&](std::size_t i) { joinTurns(degrees.x[i], i, diagram); });
 }
 
 void toDegrees(const Projection& projection, Topology& topology, int threads) {
   auto& vertices = topology.vertices;
-  parallelFor(vertices.size(), places_grain, threadCount(threads), [&](std::size_t begin, std::size_t end) {
-    for (auto i = begin; i < end; ++i) vertices[i] = projection.toDegrees(vertices[i]);
-  });
+  parallelEach(vertices.size(), places_grain, threadCount(threads),
+               [&](std::size_t i) { vertices[i] = projection.toDegrees(vertices[i]); });
 }
 
 }  // namespace vorpipe

@@ -277,9 +277,8 @@ class Triangulation {
 
   /// Assigns regions to the points, and to the triangles in slots 0 to used - 1.
   void share(std::int32_t used, const Parts& parts) {
-    parallelFor(mesh_.points.size(), triangulation_grain, threads_, [&](std::size_t begin, std::size_t end) {
-      for (auto p = begin; p < end; ++p) mesh_.region_of_point[p] = parts.of(p);
-    });
+    parallelEach(mesh_.points.size(), triangulation_grain, threads_,
+                 [&](std::size_t p) { mesh_.region_of_point[p] = parts.of(p); });
     parallelFor(static_cast<std::size_t>(used), triangulation_grain, threads_,
                 [&](std::size_t begin, std::size_t end) {
                   for (auto t = begin; t < end; ++t) {

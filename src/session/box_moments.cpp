@@ -25,15 +25,13 @@ void takeMoments(const Sites& sites, std::span<const CellRecord> records, int th
   moments.area.resize(count);
   moments.mass.resize(count);
   moments.centroid.resize(count);
-  parallelFor(count, box_moments_grain, threads, [&](std::size_t begin, std::size_t end) {
-    for (auto i = begin; i < end; ++i) {
-      const CellRecord& record = records[i];
-      const bool is_cell = record.status == Status::ok;
-      moments.status[i] = record.status;
-      moments.area[i] = moments.mass[i] = record.area;
-      moments.centroid[i] = is_cell ? record.centroid : Point{sites.x[i], sites.y[i]};
-      if (!is_cell) moments.spread[i] = 0;
-    }
+  parallelEach(count, box_moments_grain, threads, [&](std::size_t i) {
+    const CellRecord& record = records[i];
+    const bool is_cell = record.status == Status::ok;
+    moments.status[i] = record.status;
+    moments.area[i] = moments.mass[i] = record.area;
+    moments.centroid[i] = is_cell ? record.centroid : Point{sites.x[i], sites.y[i]};
+    if (!is_cell) moments.spread[i] = 0;
   });
 }
 

@@ -212,10 +212,8 @@ EdgesOfCells edgesOf(const CellPolygons& polygons, const CellsThatMeet& meet, co
   edges.middle.resize(meet.neighbors.size());
   const PolygonEdges writer(polygons, meet, scene, edges);
   const std::size_t cells = meet.offsets.size() - 1;
-  parallelFor(cells, grainFor(cells, polygon_edges_grain), scene.threads,
-              [&](std::size_t begin, std::size_t end) {
-                for (auto i = begin; i < end; ++i) writer.cell(i);
-              });
+  parallelEach(cells, grainFor(cells, polygon_edges_grain), scene.threads,
+               [&](std::size_t i) { writer.cell(i); });
   return edges;
 }
 

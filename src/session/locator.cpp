@@ -167,9 +167,8 @@ void Locator::at(std::span<const Point> places, std::span<std::uint32_t> sites) 
   for (std::size_t first = 0; first < places.size(); first += most_at_once) {
     const auto some = places.subspan(first, std::min(most_at_once, places.size() - first));
     const auto order = orderByBlocks(some, state_->domain);
-    parallelFor(some.size(), locator_grain, state_->threads, [&](std::size_t begin, std::size_t end) {
-      for (auto k = begin; k < end; ++k) sites[first + order[k]] = state_->at(some[order[k]]);
-    });
+    parallelEach(some.size(), locator_grain, state_->threads,
+                 [&](std::size_t k) { sites[first + order[k]] = state_->at(some[order[k]]); });
   }
 }
 

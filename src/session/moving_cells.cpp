@@ -105,11 +105,8 @@ void MovingCells::State::takePolygons(FoundCells cells) {
   Diagram& d = cells.diagram;
   constexpr std::size_t grain = 1 << 14;
   moments.spread.resize(d.size());
-  parallelFor(d.size(), grain, session->threads, [&](std::size_t begin, std::size_t end) {
-    for (auto i = begin; i < end; ++i) {
-      moments.spread[i] = d.second_moments[i][0] + d.second_moments[i][2];
-    }
-  });
+  parallelEach(d.size(), grain, session->threads,
+               [&](std::size_t i) { moments.spread[i] = d.second_moments[i][0] + d.second_moments[i][2]; });
   moments.status = std::move(d.status);
   moments.area = std::move(d.area);
   moments.mass = moments.area;

@@ -141,13 +141,11 @@ PartSites sitesOf(const SiteCells& cells, const TileBlock& tile, int threads) {
   part.sites.x.resize(count);
   part.sites.y.resize(count);
   part.own.resize(count);
-  parallelFor(count, part_grain, threads, [&](std::size_t begin, std::size_t end) {
-    for (auto i = begin; i < end; ++i) {
-      part.own[i] = static_cast<std::uint8_t>(flagged[i] % 2);
-      flagged[i] /= 2;
-      part.sites.x[i] = cells.sites().x[flagged[i]];
-      part.sites.y[i] = cells.sites().y[flagged[i]];
-    }
+  parallelEach(count, part_grain, threads, [&](std::size_t i) {
+    part.own[i] = static_cast<std::uint8_t>(flagged[i] % 2);
+    flagged[i] /= 2;
+    part.sites.x[i] = cells.sites().x[flagged[i]];
+    part.sites.y[i] = cells.sites().y[flagged[i]];
   });
   part.number = std::move(flagged);
   return part;

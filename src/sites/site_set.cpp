@@ -123,9 +123,8 @@ Result<void> checkNumber(const Sites& sites) {
 }
 
 void dropTiny(std::vector<double>& coordinates, int threads) {
-  parallelFor(coordinates.size(), site_set_grain, threads, [&](std::size_t begin, std::size_t end) {
-    for (auto i = begin; i < end; ++i) coordinates[i] = usableCoordinate(coordinates[i]);
-  });
+  parallelEach(coordinates.size(), site_set_grain, threads,
+               [&](std::size_t i) { coordinates[i] = usableCoordinate(coordinates[i]); });
 }
 
 /// Refuses sites that are too near to each other; error(i, j) names those of input indices i and j. Then

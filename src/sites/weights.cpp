@@ -124,16 +124,12 @@ void subtractIfExact(double least, int threads, std::vector<double>& weights) {
     if (!all) exact = false;
   });
   if (!exact) return;
-  parallelFor(weights.size(), weights_grain, threads, [&](std::size_t begin, std::size_t end) {
-    for (auto i = begin; i < end; ++i) weights[i] -= least;
-  });
+  parallelEach(weights.size(), weights_grain, threads, [&](std::size_t i) { weights[i] -= least; });
 }
 
 void dropTinyWeights(int threads, std::vector<double>& weights) {
-  parallelFor(weights.size(), weights_grain, threads, [&](std::size_t begin, std::size_t end) {
-    for (auto i = begin; i < end; ++i) {
-      if (std::abs(weights[i]) < least_weight) weights[i] = 0;
-    }
+  parallelEach(weights.size(), weights_grain, threads, [&](std::size_t i) {
+    if (std::abs(weights[i]) < least_weight) weights[i] = 0;
   });
 }
 
@@ -162,12 +158,10 @@ void noteHeaviest(SiteSet& sites, int threads) {
   const double heavy = sites.heavy.empty() ? infinite : sites.weight[sites.heavy.back()];
   const auto bins = std::size_t{grid.columns} * grid.rows;
   grid.heaviest.assign(bins, no_weight);
-  parallelFor(bins, weight_pyramid_grain, threads, [&](std::size_t begin, std::size_t end) {
-    for (auto bin = begin; bin < end; ++bin) {
-      for (auto site = grid.offsets[bin]; site < grid.offsets[bin + 1]; ++site) {
-        const double weight = sites.weight[site];
-        if (weight < heavy) grid.heaviest[bin] = std::max(grid.heaviest[bin], weight);
-      }
+  parallelEach(bins, weight_pyramid_grain, threads, [&](std::size_t bin) {
+    for (auto site = grid.offsets[bin]; site < grid.offsets[bin + 1]; ++site) {
+      const double weight = sites.weight[site];
+      if (weight < heavy) grid.heaviest[bin] = std::max(grid.heaviest[bin], weight);
     }
   });
 }
@@ -229,9 +223,8 @@ bool hasWeights(const Sites& sites) {
 
 Result<std::vector<double>> scaledWeights(const Sites& sites, int exponent, int threads) {
   std::vector<double> weights(sites.weight.size());
-  parallelFor(weights.size(), weights_grain, threads, [&](std::size_t begin, std::size_t end) {
-    for (auto i = begin; i < end; ++i) weights[i] = std::ldexp(sites.weight[i], 2 * exponent);
-  });
+  parallelEach(weights.size(), weights_grain, threads,
+               [&](std::size_t i) { weights[i] = std::ldexp(sites.weight[i], 2 * exponent); });
   const auto range = rangeOf(weights, threads);
   if (!range.usable) return tl::unexpected(unusableWeight(sites, weights));
   if (!(range.least < range.most)) return std::vector<double>{};
@@ -243,9 +236,8 @@ Result<std::vector<double>> scaledWeights(const Sites& sites, int exponent, int 
 void giveWeights(const std::vector<double>& by_input, int threads, SiteSet& set) {
   if (by_input.empty()) return;
   set.weight.resize(set.size());
-  parallelFor(set.size(), weights_grain, threads, [&](std::size_t begin, std::size_t end) {
-    for (auto i = begin; i < end; ++i) set.weight[i] = by_input[set.id[i]];
-  });
+  parallelEach(set.size(), weights_grain, threads,
+               [&](std::size_t i) { set.weight[i] = by_input[set.id[i]]; });
   const auto range = rangeOf(set.weight, threads);
   if (!(range.least < range.most)) {
     set.weight.clear();

@@ -96,11 +96,9 @@ class CpuBackend final : public Backend {
       cpu::nearestSites(*nearest_, view_, left, threads_, found);
       for (std::size_t k = 0; k < left.size(); ++k) ids[left[k]] = found[k];
     }
-    parallelFor(ids.size(), 1 << 16, threads_, [&](std::size_t begin, std::size_t end) {
-      for (std::size_t i = begin; i < end; ++i) {
-        rgba[i] = ids[i] == no_site ? 0 : view_.palette[palette_index_[ids[i]]];
-        if (ids[i] != no_site) ids[i] = sites_->id[ids[i]];
-      }
+    parallelEach(ids.size(), 1 << 16, threads_, [&](std::size_t i) {
+      rgba[i] = ids[i] == no_site ? 0 : view_.palette[palette_index_[ids[i]]];
+      if (ids[i] != no_site) ids[i] = sites_->id[ids[i]];
     });
     return {};
   }

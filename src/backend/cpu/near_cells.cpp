@@ -115,9 +115,8 @@ void findNearby(const SiteSet& sites, std::span<const std::uint32_t> which, Find
                 CellNeighbors& out) {
   std::vector<std::vector<std::int32_t>> neighbors(which.size());
   out.status.resize(which.size());
-  parallelFor(which.size(), near_cells_grain, threads, [&](std::size_t begin, std::size_t end) {
-    for (auto e = begin; e < end; ++e) out.status[e] = findOne(sites, which[e], find, neighbors[e]);
-  });
+  parallelEach(which.size(), near_cells_grain, threads,
+               [&](std::size_t e) { out.status[e] = findOne(sites, which[e], find, neighbors[e]); });
   out.offsets.assign(1, 0);
   out.neighbor.clear();
   for (const auto& some : neighbors) {

@@ -194,8 +194,8 @@ SiteTree::SiteTree(const SiteSet& sites, int threads) {
   while ((count + first_leaf - 1) / first_leaf > leaf_sites) first_leaf *= 2;
   bounds.resize(2 * std::size_t{first_leaf});
   std::vector<Placed> placed(count);
-  parallelFor(count, tree_grain, threads, [&](std::size_t begin, std::size_t end) {
-    for (auto i = begin; i < end; ++i) placed[i] = {sites.x[i], sites.y[i], static_cast<std::uint32_t>(i)};
+  parallelEach(count, tree_grain, threads, [&](std::size_t i) {
+    placed[i] = {sites.x[i], sites.y[i], static_cast<std::uint32_t>(i)};
   });
   const auto counted = weightsThatCount(sites);
   const TreeBuilder builder{*this, placed, counted};
@@ -220,14 +220,12 @@ SiteTree::SiteTree(const SiteSet& sites, int threads) {
   x.resize(count);
   y.resize(count);
   weight.resize(sites.weight.size());
-  parallelFor(count, tree_grain, threads, [&](std::size_t begin, std::size_t end) {
-    for (auto p = begin; p < end; ++p) {
-      site[p] = placed[p].site;
-      rank[placed[p].site] = static_cast<std::uint32_t>(p);
-      x[p] = placed[p].x;
-      y[p] = placed[p].y;
-      if (!weight.empty()) weight[p] = sites.weight[placed[p].site];
-    }
+  parallelEach(count, tree_grain, threads, [&](std::size_t p) {
+    site[p] = placed[p].site;
+    rank[placed[p].site] = static_cast<std::uint32_t>(p);
+    x[p] = placed[p].x;
+    y[p] = placed[p].y;
+    if (!weight.empty()) weight[p] = sites.weight[placed[p].site];
   });
 }
 

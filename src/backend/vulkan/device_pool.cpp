@@ -136,12 +136,10 @@ class DevicePool final : public Backend {
     std::vector<std::uint32_t> other_ids(ids.size());
     for (std::size_t device = 1; device < devices_.size(); ++device) {
       VORPIPE_TRY(devices_[device]->read(other_rgba, other_ids));
-      parallelFor(ids.size(), pixels_at_once, 0, [&](std::size_t begin, std::size_t end) {
-        for (auto i = begin; i < end; ++i) {
-          if (other_ids[i] == no_site || drawnAt(ids[i]) > drawnAt(other_ids[i])) continue;
-          ids[i] = other_ids[i];
-          rgba[i] = other_rgba[i];
-        }
+      parallelEach(ids.size(), pixels_at_once, 0, [&](std::size_t i) {
+        if (other_ids[i] == no_site || drawnAt(ids[i]) > drawnAt(other_ids[i])) return;
+        ids[i] = other_ids[i];
+        rgba[i] = other_rgba[i];
       });
     }
     return {};

@@ -169,12 +169,10 @@ Strips compressed(int width, int height, std::span<const std::uint32_t> ids, int
   const auto columns = static_cast<std::size_t>(width);
   const std::size_t pixels = columns * static_cast<std::size_t>(strips.rows);
   strips.bytes.resize((ids.size() + pixels - 1) / pixels);
-  parallelFor(strips.bytes.size(), 1, threads, [&](std::size_t begin, std::size_t end) {
-    for (auto k = begin; k < end; ++k) {
-      const auto strip = ids.subspan(k * pixels, std::min(pixels, ids.size() - k * pixels));
-      strips.bytes[k] = deflated(differencesIn(strip, columns));
-      strips.bytes[k].shrink_to_fit();
-    }
+  parallelEach(strips.bytes.size(), 1, threads, [&](std::size_t k) {
+    const auto strip = ids.subspan(k * pixels, std::min(pixels, ids.size() - k * pixels));
+    strips.bytes[k] = deflated(differencesIn(strip, columns));
+    strips.bytes[k].shrink_to_fit();
   });
   return strips;
 }
