@@ -1,19 +1,28 @@
-/// What passes between a caller of vorpipe_c.h and the library: errors, structs, arrays, reports.
+/// What passes between a caller of vorpipe_c.h and the library: errors, structs, arrays, reports, options,
+/// files.
 #pragma once
 
+#include <fmt/core.h>
+
 #include <algorithm>
+#include <array>
 #include <cstddef>
+#include <cstdint>
 #include <cstring>
 #include <exception>
 #include <new>
 #include <string>
 #include <string_view>
 #include <type_traits>
+#include <utility>
 #include <vector>
 
 #include "base/try.h"
 #include "c/handles.h"
 #include "c/vorpipe_c.h"
+#include "io/base/byte_sink.h"
+#include "io/base/error.h"
+#include "io/base/output_file.h"
 #include "vorpipe.h"
 
 namespace vorpipe::c {
@@ -43,6 +52,26 @@ vorpipe_code guarded(const Body& body) noexcept {
 
 /// Fails with VORPIPE_INPUT: a required pointer is NULL.
 vorpipe_code missing(std::string_view argument) noexcept;
+
+/// Fails with VORPIPE_INPUT if one of the pointers, whose names are separated by commas, is NULL.
+template <class... Pointers>
+vorpipe_code needed(std::string_view names, Pointers... pointers) noexcept {
+  for (const bool is_null : {(pointers == nullptr)...}) {
+    if (is_null) return missing(names.substr(0, names.find(',')));
+    names.remove_prefix(std::min(names.size(), names.find(',') + 2));
+  }
+  return VORPIPE_DONE;
+}
+
+/// Returns from a function of C with the code of an error, if one of these arguments is NULL.
+#define VORPIPE_NEEDS(...) \
+  if (const vorpipe_code lack = needed(#__VA_ARGS__, __VA_ARGS__); lack != VORPIPE_DONE) return lack
+
+/// Names the value of a result; or returns the code of its error.
+#define VORPIPE_TAKE(name, ...)                                                                     \
+  auto VORPIPE_JOIN(result_at_, __LINE__) = __VA_ARGS__;                                            \
+  if (!VORPIPE_JOIN(result_at_, __LINE__)) return fail(VORPIPE_JOIN(result_at_, __LINE__).error()); \
+  auto& name = *VORPIPE_JOIN(result_at_, __LINE__)
 
 /// Returns the code of a finished action, or fails with its error.
 inline vorpipe_code codeOf(const Result<void>& done) { return done ? VORPIPE_DONE : fail(done.error()); }
@@ -133,5 +162,84 @@ vorpipe_report reportOf(const Report& report);
 
 /// Returns NULL past the end.
 const char* textAt(const std::vector<std::string>& texts, std::size_t index);
+
+/// Returns the choice that a number stands for. Error (input): there is none.
+template <class Choice, std::size_t count>
+Result<Choice> chosen(const std::array<Choice, count>& choices, std::int32_t number, std::string_view name) {
+  if (number >= 0 && static_cast<std::size_t>(number) < count)
+    return choices[static_cast<std::size_t>(number)];
+  return inputError(fmt::format("{}: is {}, which stands for nothing", name, number));
+}
+
+/// Returns the options of a run over a placed input; the given options may be NULL. Errors (input): a number
+/// that names nothing; an invalid struct; colors by weight without weights.
+Result<CellsOptions> cellsOptions(const vorpipe_input& input, const PlacedInput& placed,
+                                  const vorpipe_cells_options* given);
+Result<RenderOptions> renderOptions(const PlacedInput& placed, const vorpipe_render_options* given);
+
+/// Error (input): a number that names no search.
+Result<SearchOptions> searchOf(vorpipe_search search, std::int32_t neighbors);
+
+/// Empty if there is no function.
+Progress progressOf(vorpipe_progress progress, void* user);
+
+/// Errors (input): no such feature or limit.
+Result<Mask> maskOf(std::uint32_t disabled_count, const char* const* disabled, std::uint64_t limit_count,
+                    const vorpipe_limit* limits);
+
+/// Refuses (input) a negative number of threads.
+Result<int> threadsOf(std::int32_t threads);
+
+/// Returns the options for cells of a placed input. Errors (input): those of cellsOptions.
+Result<CellsOptions> movingOptions(const vorpipe_input& input, const PlacedInput& placed,
+                                   vorpipe_search search, std::int32_t neighbors);
+
+/// Returns options that find cells in this way; all others are defaults.
+template <class Options>
+Options optionsWith(CellsOptions cells) {
+  Options options{};
+  options.domain = cells.domain;
+  options.outline = std::move(cells.outline);
+  options.periodic = cells.periodic;
+  options.density = std::move(cells.density);
+  options.search = cells.search;
+  return options;
+}
+
+/// Wraps the caller's function, which gets each step as a `Told` and ends a run by returning a nonzero value.
+template <class Told, class Step>
+auto watcherOf(std::int32_t (*watch)(void* user, const Told* step), void* user, Told (*told)(const Step&)) {
+  return [watch, user, told](const Step& step) {
+    if (watch == nullptr) return true;
+    Told shown = told(step);
+    shown.struct_size = sizeof(shown);
+    return watch(user, &shown) == 0;
+  };
+}
+
+/// Passes bytes to the caller's function; `name` stands for the file.
+inline CallbackSink sinkOf(std::string name, vorpipe_write write, void* user) {
+  return {std::move(name),
+          [write, user](std::string_view bytes) { return write(user, bytes.data(), bytes.size()) == 0; }};
+}
+
+/// Moved sites with their original input.
+struct MovedSites {
+  const vorpipe_input& input;
+  const PlacedInput& placed;
+  const Sites& sites;  ///< in the plane of a projection
+};
+
+/// Writes them to the caller in this file format. Errors: those of pointsFormatOf and writePoints.
+vorpipe_code writeMoved(const MovedSites& moved, const char* format, vorpipe_write write, void* user);
+
+/// The same to a path; its extension gives the format.
+vorpipe_code saveMoved(const MovedSites& moved, const char* path);
+
+/// Makes an input of them; its domain does not change.
+vorpipe_code giveMoved(const MovedSites& moved, Surface surface, vorpipe_input** input);
+
+/// Returns a run's report; its strings stay where they are.
+vorpipe_code giveReport(const Report& report, vorpipe_report* to);
 
 }  // namespace vorpipe::c

@@ -1,9 +1,10 @@
-/// Devices and sessions, names accepted by options, and the self-test.
+/// Devices, sessions, and how much memory runs take.
 #include <fmt/core.h>
+#include <nlohmann/json.hpp>
 
 #include <algorithm>
+#include <cstdint>
 #include <initializer_list>
-#include <nlohmann/json.hpp>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -12,7 +13,6 @@
 #include "base/try.h"
 #include "c/calls.h"
 #include "c/handles.h"
-#include "c/options.h"
 #include "c/vorpipe_c.h"
 #include "io/base/error.h"
 #include "io/base/field_text.h"
@@ -24,6 +24,7 @@
 #include "vorpipe.h"
 #include "vorpipe/fluid.h"
 #include "vorpipe/selftest.h"
+#include "vorpipe/shapes.h"
 
 namespace vorpipe::c {
 namespace {
@@ -115,6 +116,32 @@ Result<SelftestOptions> selftestOptions(const vorpipe_selftest_options* given) {
   return wanted;
 }
 
+void takeSites(MemoryPlan& plan, std::string_view what, const Sites& sites) {
+  for (const auto* numbers : {&sites.x, &sites.y, &sites.weight}) {
+    if (!numbers->empty()) plan.take(what, numbers->size() * sizeof(double));
+  }
+}
+
+/// Begins a plan with the program, its session and the sites.
+MemoryPlan begun(const vorpipe_input& input, const PlacedInput& placed, const Workload& work) {
+  MemoryPlan plan;
+  takeSites(plan, "sites", *input.sites);
+  if (placed.sites != input.sites) takeSites(plan, "the sites of the run", *placed.sites);
+  if (placed.domain.projection) takeSites(plan, "the sites in degrees", *placed.given);
+  for (const Attribute& attribute : *input.attributes) plan.take("attributes", attribute.bytes());
+  if (work.density_pixels > 0) plan.take("the density", work.density_pixels * sizeof(double));
+  planSession(plan, work);
+  return plan;
+}
+
+/// Plans positions that a diagram has both in degrees and in the plane.
+void takePlanePositions(MemoryPlan& plan, const PlacedInput& placed, Detail detail) {
+  constexpr std::uint64_t vertices_of_cell = 6;
+  if (!placed.domain.projection) return;
+  const std::uint64_t positions = detail == Detail::measures ? 1 : 1 + vertices_of_cell;
+  plan.take("positions in the plane", placed.sites->size() * positions * sizeof(Point));
+}
+
 }  // namespace
 }  // namespace vorpipe::c
 
@@ -122,11 +149,10 @@ using namespace vorpipe;
 using namespace vorpipe::c;
 
 vorpipe_code vorpipe_devices_find(const vorpipe_session_options* options, vorpipe_devices** devices) {
-  if (devices == nullptr) return missing("devices");
+  VORPIPE_NEEDS(devices);
   return guarded([&] {
-    const auto backend = backendOptions(options);
-    if (!backend) return fail(backend.error());
-    *devices = new vorpipe_devices{vorpipe::devices(backend->mask)};
+    VORPIPE_TAKE(backend, backendOptions(options));
+    *devices = new vorpipe_devices{vorpipe::devices(backend.mask)};
     return vorpipe_code{VORPIPE_DONE};
   });
 }
@@ -138,8 +164,7 @@ size_t vorpipe_devices_count(const vorpipe_devices* devices) {
 }
 
 vorpipe_code vorpipe_devices_get(const vorpipe_devices* devices, size_t index, vorpipe_device_info* info) {
-  if (devices == nullptr) return missing("devices");
-  if (info == nullptr) return missing("info");
+  VORPIPE_NEEDS(devices, info);
   return guarded([&] {
     if (index >= devices->infos.size()) {
       return fail(VORPIPE_INPUT, fmt::format("index: {} of {} devices", index, devices->infos.size()));
@@ -158,9 +183,7 @@ int32_t vorpipe_devices_feature(const vorpipe_devices* devices, size_t index, co
 
 vorpipe_code vorpipe_devices_limit(const vorpipe_devices* devices, size_t index, const char* limit,
                                    uint64_t* value) {
-  if (devices == nullptr) return missing("devices");
-  if (limit == nullptr) return missing("limit");
-  if (value == nullptr) return missing("value");
+  VORPIPE_NEEDS(devices, limit, value);
   return guarded([&] {
     if (index >= devices->infos.size()) {
       return fail(VORPIPE_INPUT, fmt::format("index: {} of {} devices", index, devices->infos.size()));
@@ -176,13 +199,11 @@ vorpipe_code vorpipe_devices_limit(const vorpipe_devices* devices, size_t index,
 }
 
 vorpipe_code vorpipe_session_open(const vorpipe_session_options* options, vorpipe_session** session) {
-  if (session == nullptr) return missing("session");
+  VORPIPE_NEEDS(session);
   return guarded([&] {
-    const auto backend = backendOptions(options);
-    if (!backend) return fail(backend.error());
-    auto opened = vorpipe::Session::open(*backend);
-    if (!opened) return fail(opened.error());
-    *session = new vorpipe_session{std::move(*opened), backend->threads};
+    VORPIPE_TAKE(backend, backendOptions(options));
+    VORPIPE_TAKE(opened, vorpipe::Session::open(backend));
+    *session = new vorpipe_session{std::move(opened), backend.threads};
     return vorpipe_code{VORPIPE_DONE};
   });
 }
@@ -190,8 +211,7 @@ vorpipe_code vorpipe_session_open(const vorpipe_session_options* options, vorpip
 void vorpipe_session_free(vorpipe_session* session) { delete session; }
 
 vorpipe_code vorpipe_session_device(const vorpipe_session* session, vorpipe_device_info* info) {
-  if (session == nullptr) return missing("session");
-  if (info == nullptr) return missing("info");
+  VORPIPE_NEEDS(session, info);
   return guarded(
       [&] { return codeOf(give(infoOf(session->session.device()), info, "vorpipe_device_info")); });
 }
@@ -215,14 +235,51 @@ const char* vorpipe_name(vorpipe_list list, size_t index) {
 
 vorpipe_code vorpipe_selftest(const vorpipe_selftest_options* options, vorpipe_write json, void* user) {
   return guarded([&] {
-    const auto wanted = selftestOptions(options);
-    if (!wanted) return fail(wanted.error());
-    const auto report = selftest(*wanted);
-    if (!report) return fail(report.error());
-    const std::string text = jsonText(selftestJson(*report), 1);
+    VORPIPE_TAKE(wanted, selftestOptions(options));
+    VORPIPE_TAKE(report, selftest(wanted));
+    const std::string text = jsonText(selftestJson(report), 1);
     if (json != nullptr && json(user, text.data(), text.size()) != 0) {
       return fail(VORPIPE_DEVICE, "json: the caller refused it");
     }
-    return report->passed() ? vorpipe_code{VORPIPE_DONE} : fail(VORPIPE_DIFFERENT, "a promise is broken");
+    return report.passed() ? vorpipe_code{VORPIPE_DONE} : fail(VORPIPE_DIFFERENT, "a promise is broken");
   });
+}
+
+vorpipe_code vorpipe_cells_memory(const vorpipe_session* session, const vorpipe_input* input,
+                                  const vorpipe_cells_options* options, uint64_t* bytes) {
+  VORPIPE_NEEDS(session, input, bytes);
+  return guarded([&] {
+    VORPIPE_TAKE(placed, placedInput(*input));
+    VORPIPE_TAKE(found, cellsOptions(*input, *placed, options));
+    VORPIPE_TAKE(work, workloadOf(*placed->sites, found, ImagesFor::cells, session->session.device(),
+                                  session->threads));
+    MemoryPlan plan = begun(*input, *placed, work);
+    planCells(plan, work, found.detail);
+    takePlanePositions(plan, *placed, found.detail);
+    *bytes = plan.peak();
+    return vorpipe_code{VORPIPE_DONE};
+  });
+}
+
+vorpipe_code vorpipe_render_memory(const vorpipe_session* session, const vorpipe_input* input,
+                                   const vorpipe_render_options* options, uint64_t* bytes) {
+  VORPIPE_NEEDS(session, input, bytes);
+  return guarded([&] {
+    VORPIPE_TAKE(placed, placedInput(*input));
+    VORPIPE_TAKE(picture, renderOptions(*placed, options));
+    VORPIPE_TAKE(work, workloadOf(*placed->sites, cellsOptions(picture), imagesFor(picture),
+                                  session->session.device(), session->threads));
+    MemoryPlan plan = begun(*input, *placed, work);
+    planPicture(plan, work, picture);
+    *bytes = plan.peak();
+    return vorpipe_code{VORPIPE_DONE};
+  });
+}
+
+uint64_t vorpipe_memory_limit() {
+  try {
+    return systemMemoryLimit().bytes;
+  } catch (...) {
+    return 0;
+  }
 }

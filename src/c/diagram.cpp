@@ -1,4 +1,3 @@
-#include "c/diagram.h"
 
 #include <fmt/core.h>
 
@@ -10,8 +9,6 @@
 
 #include "c/calls.h"
 #include "c/handles.h"
-#include "c/options.h"
-#include "c/placed_input.h"
 #include "vorpipe/free_surface.h"
 
 namespace vorpipe::c {
@@ -81,18 +78,15 @@ Result<vorpipe_array> sharedArrayOf(const vorpipe_diagram& diagram, vorpipe_diag
 
 vorpipe_code find(vorpipe_session& session, const vorpipe_input& input, const vorpipe_cells_options* given,
                   vorpipe_diagram** diagram) {
-  const auto placed = placedInput(input);
-  if (!placed) return fail(placed.error());
-  auto options = cellsOptions(input, **placed, given);
-  if (!options) return fail(options.error());
-  auto found = cellsWith(input.surface, session.session, *(*placed)->sites, *options);
-  if (!found) return fail(found.error());
-  options->progress = nullptr;
-  auto plane = takeToDegrees(**placed, *found, session.threads);
-  *diagram = new vorpipe_diagram{*placed,
+  VORPIPE_TAKE(placed, placedInput(input));
+  VORPIPE_TAKE(options, cellsOptions(input, *placed, given));
+  VORPIPE_TAKE(found, cellsWith(input.surface, session.session, *placed->sites, options));
+  options.progress = nullptr;
+  auto plane = takeToDegrees(*placed, found, session.threads);
+  *diagram = new vorpipe_diagram{placed,
                                  input.attributes,
-                                 std::move(*options),
-                                 std::move(*found),
+                                 std::move(options),
+                                 std::move(found),
                                  std::move(plane),
                                  input.surface == Surface::free,
                                  {},
@@ -185,9 +179,7 @@ using namespace vorpipe::c;
 
 vorpipe_code vorpipe_cells(vorpipe_session* session, const vorpipe_input* input,
                            const vorpipe_cells_options* options, vorpipe_diagram** diagram) {
-  if (session == nullptr) return missing("session");
-  if (input == nullptr) return missing("input");
-  if (diagram == nullptr) return missing("diagram");
+  VORPIPE_NEEDS(session, input, diagram);
   return guardedRun(*session, [&] { return find(*session, *input, options, diagram); });
 }
 
@@ -195,8 +187,7 @@ void vorpipe_diagram_free(vorpipe_diagram* diagram) { delete diagram; }
 
 vorpipe_code vorpipe_diagram_array(const vorpipe_diagram* diagram, vorpipe_diagram_field field,
                                    vorpipe_array* array) {
-  if (diagram == nullptr) return missing("diagram");
-  if (array == nullptr) return missing("array");
+  VORPIPE_NEEDS(diagram, array);
   return guarded([&] {
     if (field > VORPIPE_EDGE_CELLS) return give(borderArrayOf(*diagram, field), array);
     const bool shared = field >= VORPIPE_SHARED_VERTICES;
@@ -209,8 +200,7 @@ double vorpipe_diagram_area_sum(const vorpipe_diagram* diagram) {
 }
 
 vorpipe_code vorpipe_diagram_report(const vorpipe_diagram* diagram, vorpipe_report* report) {
-  if (diagram == nullptr) return missing("diagram");
-  if (report == nullptr) return missing("report");
+  VORPIPE_NEEDS(diagram, report);
   return guarded([&] { return codeOf(give(reportOf(diagram->diagram.report), report, "vorpipe_report")); });
 }
 
@@ -223,12 +213,11 @@ const char* vorpipe_diagram_validation(const vorpipe_diagram* diagram, size_t in
 }
 
 vorpipe_code vorpipe_input_set_surface(vorpipe_input* input, vorpipe_surface surface) {
-  if (input == nullptr) return missing("input");
+  VORPIPE_NEEDS(input);
   return guarded([&] {
     constexpr std::array surfaces{Surface::none, Surface::free};
-    const auto known = chosen(surfaces, surface, "surface");
-    if (!known) return fail(known.error());
-    input->surface = *known;
+    VORPIPE_TAKE(known, chosen(surfaces, surface, "surface"));
+    input->surface = known;
     return vorpipe_code{VORPIPE_DONE};
   });
 }
@@ -236,20 +225,15 @@ vorpipe_code vorpipe_input_set_surface(vorpipe_input* input, vorpipe_surface sur
 static_assert(sizeof(Point) == 2 * sizeof(double));
 
 vorpipe_code vorpipe_locator_create(const vorpipe_input* input, int32_t threads, vorpipe_locator** locator) {
-  if (input == nullptr) return missing("input");
-  if (locator == nullptr) return missing("locator");
+  VORPIPE_NEEDS(input, locator);
   return guarded([&] {
-    const auto count = threadsOf(threads);
-    if (!count) return fail(count.error());
-    const auto placed = placedInput(*input);
-    if (!placed) return fail(placed.error());
-    const auto options = cellsOptions(*input, **placed, nullptr);
-    if (!options) return fail(options.error());
-    auto made = Locator::make(*(*placed)->sites, *options, *count);
-    if (!made) return fail(made.error());
+    VORPIPE_TAKE(count, threadsOf(threads));
+    VORPIPE_TAKE(placed, placedInput(*input));
+    VORPIPE_TAKE(options, cellsOptions(*input, *placed, nullptr));
+    VORPIPE_TAKE(made, Locator::make(*placed->sites, options, count));
     const bool has_air = input->surface == Surface::free;
-    *locator = new vorpipe_locator{std::move(*made), has_air ? (*placed)->sites : nullptr,
-                                   (*placed)->domain.projection};
+    *locator =
+        new vorpipe_locator{std::move(made), has_air ? placed->sites : nullptr, placed->domain.projection};
     return vorpipe_code{VORPIPE_DONE};
   });
 }
@@ -258,7 +242,7 @@ void vorpipe_locator_free(vorpipe_locator* locator) { delete locator; }
 
 vorpipe_code vorpipe_locator_find(const vorpipe_locator* locator, const double* places, uint64_t count,
                                   uint32_t* sites) {
-  if (locator == nullptr) return missing("locator");
+  VORPIPE_NEEDS(locator);
   if (places == nullptr && count > 0) return missing("places");
   if (sites == nullptr && count > 0) return missing("sites");
   return guarded([&] {

@@ -12,8 +12,6 @@
 #include "base/try.h"
 #include "c/calls.h"
 #include "c/handles.h"
-#include "c/options.h"
-#include "c/placed_input.h"
 #include "io/base/error.h"
 #include "io/cells/cell_attributes.h"
 #include "io/sites/density_place.h"
@@ -227,7 +225,7 @@ using namespace vorpipe::c;
 
 vorpipe_code vorpipe_input_set_box(vorpipe_input* input, double xmin, double ymin, double xmax, double ymax,
                                    vorpipe_axes periodic) {
-  if (input == nullptr) return missing("input");
+  VORPIPE_NEEDS(input);
   if (periodic < VORPIPE_PERIODIC_NONE || periodic > VORPIPE_PERIODIC_XY) {
     return guarded(
         [&] { return fail(VORPIPE_INPUT, fmt::format("periodic: no axes {}", periodic), Subject::period); });
@@ -237,29 +235,26 @@ vorpipe_code vorpipe_input_set_box(vorpipe_input* input, double xmin, double ymi
 }
 
 vorpipe_code vorpipe_input_set_outline(vorpipe_input* input, const vorpipe_outline* outline) {
-  if (input == nullptr) return missing("input");
-  if (outline == nullptr) return missing("outline");
+  VORPIPE_NEEDS(input, outline);
   return guarded([&] {
-    const auto given = taken(outline, "vorpipe_outline");
-    if (!given) return fail(given.error());
-    return setOutline(*input,
-                      outlineOf(*given).map([](Outline made) { return OutlineFile{std::move(made)}; }), {});
+    VORPIPE_TAKE(given, taken(outline, "vorpipe_outline"));
+    return setOutline(*input, outlineOf(given).map([](Outline made) { return OutlineFile{std::move(made)}; }),
+                      {});
   });
 }
 
 vorpipe_code vorpipe_input_read_outline(vorpipe_input* input, const char* path) {
-  if (input == nullptr) return missing("input");
-  if (path == nullptr) return missing("path");
+  VORPIPE_NEEDS(input, path);
   return guarded([&] { return setOutline(*input, readOutline(path), path); });
 }
 
 vorpipe_code vorpipe_input_set_hull(vorpipe_input* input) {
-  if (input == nullptr) return missing("input");
+  VORPIPE_NEEDS(input);
   return guarded([&] { return setDomain(*input, {{}, {}, {}, true}); });
 }
 
 vorpipe_code vorpipe_input_repair_outline(vorpipe_input* input) {
-  if (input == nullptr) return missing("input");
+  VORPIPE_NEEDS(input);
   return guarded([&] {
     if (input->domain.outline.empty()) {
       return fail(VORPIPE_INPUT, "outline: there is none to repair", Subject::outline);
@@ -271,7 +266,7 @@ vorpipe_code vorpipe_input_repair_outline(vorpipe_input* input) {
 }
 
 vorpipe_code vorpipe_input_set_margin(vorpipe_input* input, double margin, int32_t relative) {
-  if (input == nullptr) return missing("input");
+  VORPIPE_NEEDS(input);
   return guarded([&] {
     if (!(margin >= 0) || !std::isfinite(margin)) {
       return fail(VORPIPE_INPUT, fmt::format("margin: {} is not a number of 0 or more", margin));
@@ -283,7 +278,7 @@ vorpipe_code vorpipe_input_set_margin(vorpipe_input* input, double margin, int32
 }
 
 vorpipe_code vorpipe_input_project(vorpipe_input* input, double longitude, double latitude) {
-  if (input == nullptr) return missing("input");
+  VORPIPE_NEEDS(input);
   return guarded([&] {
     ProjectChoice choice;
     if (!std::isnan(longitude) || !std::isnan(latitude)) {
@@ -297,12 +292,10 @@ vorpipe_code vorpipe_input_project(vorpipe_input* input, double longitude, doubl
 }
 
 vorpipe_code vorpipe_input_domain(const vorpipe_input* input, double* box) {
-  if (input == nullptr) return missing("input");
-  if (box == nullptr) return missing("box");
+  VORPIPE_NEEDS(input, box);
   return guarded([&] {
-    const auto placed = placedInput(*input);
-    if (!placed) return fail(placed.error());
-    const auto [xmin, ymin, xmax, ymax] = (*placed)->domain.domain;
+    VORPIPE_TAKE(placed, placedInput(*input));
+    const auto [xmin, ymin, xmax, ymax] = placed->domain.domain;
     const double sides[] = {xmin, ymin, xmax, ymax};
     std::ranges::copy(sides, box);
     return vorpipe_code{VORPIPE_DONE};
@@ -310,17 +303,16 @@ vorpipe_code vorpipe_input_domain(const vorpipe_input* input, double* box) {
 }
 
 vorpipe_code vorpipe_input_set_system(vorpipe_input* input, vorpipe_system_kind kind, int64_t epsg) {
-  if (input == nullptr) return missing("input");
+  VORPIPE_NEEDS(input);
   return guarded([&] {
     constexpr std::array kinds{CoordinateKind::unknown, CoordinateKind::degrees, CoordinateKind::plane};
-    const auto known = chosen(kinds, kind, "kind");
-    if (!known) return fail(known.error());
+    VORPIPE_TAKE(known, chosen(kinds, kind, "kind"));
     if (epsg < 0) return fail(VORPIPE_INPUT, fmt::format("epsg: is {}", epsg));
-    CoordinateSystem system{*known};
+    CoordinateSystem system{known};
     if (epsg > 0) {
       system.organization = "EPSG";
       system.code = epsg;
-    } else if (*known == CoordinateKind::degrees) {
+    } else if (known == CoordinateKind::degrees) {
       system = wgs84();
     }
     input->system = std::move(system);
@@ -330,8 +322,7 @@ vorpipe_code vorpipe_input_set_system(vorpipe_input* input, vorpipe_system_kind 
 }
 
 vorpipe_code vorpipe_input_name_system(vorpipe_input* input, const char* name) {
-  if (input == nullptr) return missing("input");
-  if (name == nullptr) return missing("name");
+  VORPIPE_NEEDS(input, name);
   return guarded([&] {
     auto system = systemNamed(name);
     if (!system) return fail(VORPIPE_INPUT, fmt::format("system: {}", system.error()), Subject::sites);
@@ -342,8 +333,7 @@ vorpipe_code vorpipe_input_name_system(vorpipe_input* input, const char* name) {
 }
 
 vorpipe_code vorpipe_input_name_outline_system(vorpipe_input* input, const char* name) {
-  if (input == nullptr) return missing("input");
-  if (name == nullptr) return missing("name");
+  VORPIPE_NEEDS(input, name);
   return guarded([&] {
     if (input->domain.outline.empty()) {
       return fail(VORPIPE_INPUT, "outline: there is none that a system could be of", Subject::outline);
@@ -357,9 +347,7 @@ vorpipe_code vorpipe_input_name_outline_system(vorpipe_input* input, const char*
 }
 
 vorpipe_code vorpipe_input_system(const vorpipe_input* input, vorpipe_system_kind* kind, int64_t* epsg) {
-  if (input == nullptr) return missing("input");
-  if (kind == nullptr) return missing("kind");
-  if (epsg == nullptr) return missing("epsg");
+  VORPIPE_NEEDS(input, kind, epsg);
   *kind = static_cast<vorpipe_system_kind>(input->system.kind);
   *epsg = input->system.organization == "EPSG" ? input->system.code : 0;
   return VORPIPE_DONE;

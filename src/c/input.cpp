@@ -14,7 +14,6 @@
 #include "base/try.h"
 #include "c/calls.h"
 #include "c/handles.h"
-#include "c/options.h"
 #include "io/base/attribute.h"
 #include "io/base/error.h"
 #include "io/base/quoted.h"
@@ -153,33 +152,26 @@ using namespace vorpipe;
 using namespace vorpipe::c;
 
 vorpipe_code vorpipe_input_create(const vorpipe_sites* sites, vorpipe_input** input) {
-  if (sites == nullptr) return missing("sites");
-  if (input == nullptr) return missing("input");
+  VORPIPE_NEEDS(sites, input);
   return guarded([&] {
-    const auto given = taken(sites, "vorpipe_sites");
-    if (!given) return fail(given.error());
-    auto copy = sitesOf(*given);
-    if (!copy) return fail(copy.error());
-    return giveInput(inputOf(std::move(*copy)), input);
+    VORPIPE_TAKE(given, taken(sites, "vorpipe_sites"));
+    VORPIPE_TAKE(copy, sitesOf(given));
+    return giveInput(inputOf(std::move(copy)), input);
   });
 }
 
 vorpipe_code vorpipe_input_read(const char* sites, uint64_t seed, vorpipe_input** input) {
-  if (sites == nullptr) return missing("sites");
-  if (input == nullptr) return missing("input");
+  VORPIPE_NEEDS(sites, input);
   return guarded([&] { return giveInput(inputOf(sites, seed, {.attributes = false}), input); });
 }
 
 vorpipe_code vorpipe_input_read_with(const char* sites, const vorpipe_read_options* options,
                                      vorpipe_input** input) {
-  if (sites == nullptr) return missing("sites");
-  if (input == nullptr) return missing("input");
+  VORPIPE_NEEDS(sites, input);
   return guarded([&] {
-    const auto given = taken(options, "vorpipe_read_options");
-    if (!given) return fail(given.error());
-    const auto reading = readOptions(*given);
-    if (!reading) return fail(reading.error());
-    return giveInput(inputOf(sites, given->seed == 0 ? 1 : given->seed, *reading), input);
+    VORPIPE_TAKE(given, taken(options, "vorpipe_read_options"));
+    VORPIPE_TAKE(reading, readOptions(given));
+    return giveInput(inputOf(sites, given.seed == 0 ? 1 : given.seed, reading), input);
   });
 }
 
@@ -196,8 +188,7 @@ const char* vorpipe_input_note(const vorpipe_input* input, size_t index) {
 }
 
 vorpipe_code vorpipe_input_set_weights(vorpipe_input* input, const double* weights, uint64_t count) {
-  if (input == nullptr) return missing("input");
-  if (weights == nullptr) return missing("weights");
+  VORPIPE_NEEDS(input, weights);
   return guarded([&] {
     if (count != input->sites->size()) {
       return fail(VORPIPE_INPUT, fmt::format("weights: {} for {} sites", count, input->sites->size()),
@@ -208,13 +199,12 @@ vorpipe_code vorpipe_input_set_weights(vorpipe_input* input, const double* weigh
 }
 
 vorpipe_code vorpipe_input_read_weights(vorpipe_input* input, const char* path) {
-  if (input == nullptr) return missing("input");
-  if (path == nullptr) return missing("path");
+  VORPIPE_NEEDS(input, path);
   return guarded([&] { return setWeights(*input, readWeights(path, input->sites->size())); });
 }
 
 vorpipe_code vorpipe_input_random_weights(vorpipe_input* input, double low, double high, uint64_t seed) {
-  if (input == nullptr) return missing("input");
+  VORPIPE_NEEDS(input);
   return guarded([&] {
     if (!std::isfinite(high - low) || low > high) {
       return fail(VORPIPE_INPUT, fmt::format("weights: none are from {} to {}", low, high), Subject::weights);
@@ -225,8 +215,7 @@ vorpipe_code vorpipe_input_random_weights(vorpipe_input* input, double low, doub
 
 vorpipe_code vorpipe_input_set_density(vorpipe_input* input, const double* values, int32_t width,
                                        int32_t height) {
-  if (input == nullptr) return missing("input");
-  if (values == nullptr) return missing("values");
+  VORPIPE_NEEDS(input, values);
   return guarded([&] {
     if (width < 1 || height < 1) {
       return fail(VORPIPE_INPUT, fmt::format("density: is {} x {} pixels", width, height), Subject::density);
@@ -238,19 +227,17 @@ vorpipe_code vorpipe_input_set_density(vorpipe_input* input, const double* value
 }
 
 vorpipe_code vorpipe_input_read_density(vorpipe_input* input, const char* path) {
-  if (input == nullptr) return missing("input");
-  if (path == nullptr) return missing("path");
+  VORPIPE_NEEDS(input, path);
   return guarded([&] {
-    auto density = readDensity(path);
-    if (!density) return fail(density.error());
-    takeDensity(*input, std::move(*density), path);
+    VORPIPE_TAKE(density, readDensity(path));
+    takeDensity(*input, std::move(density), path);
     return vorpipe_code{VORPIPE_DONE};
   });
 }
 
 vorpipe_code vorpipe_input_set_density_box(vorpipe_input* input, double xmin, double ymin, double xmax,
                                            double ymax) {
-  if (input == nullptr) return missing("input");
+  VORPIPE_NEEDS(input);
   return guarded([&] {
     if (input->density.values.empty()) {
       return fail(VORPIPE_INPUT, "density: there is none that a box could be of", Subject::density);
@@ -282,8 +269,7 @@ vorpipe_attribute_type vorpipe_input_attribute_type(const vorpipe_input* input, 
 
 vorpipe_code vorpipe_input_attribute(const vorpipe_input* input, size_t attribute, uint64_t site,
                                      vorpipe_text* value) {
-  if (input == nullptr) return missing("input");
-  if (value == nullptr) return missing("value");
+  VORPIPE_NEEDS(input, value);
   return guarded([&] {
     const Attribute* const at = attributeAt(input, attribute);
     if (at == nullptr) return fail(VORPIPE_INPUT, fmt::format("attribute: there is no number {}", attribute));
@@ -296,18 +282,16 @@ vorpipe_code vorpipe_input_attribute(const vorpipe_input* input, size_t attribut
 
 vorpipe_code vorpipe_input_add_attribute(vorpipe_input* input, const char* name, vorpipe_attribute_type type,
                                          const vorpipe_text* values, uint64_t count) {
-  if (input == nullptr) return missing("input");
-  if (name == nullptr) return missing("name");
+  VORPIPE_NEEDS(input, name);
   if (values == nullptr && count > 0) return missing("values");
   return guarded([&] {
     if (count != input->sites->size()) {
       return fail(VORPIPE_INPUT, fmt::format("{}: {} values for {} sites", vorpipe::inQuotes(name), count,
                                              input->sites->size()));
     }
-    auto attribute = attributeOf(name, type, values, count);
-    if (!attribute) return fail(attribute.error());
+    VORPIPE_TAKE(attribute, attributeOf(name, type, values, count));
     std::vector<Attribute> all = *input->attributes;
-    all.push_back(std::move(*attribute));
+    all.push_back(std::move(attribute));
     input->attributes = std::make_shared<const std::vector<Attribute>>(std::move(all));
     input->placed = nullptr;
     return vorpipe_code{VORPIPE_DONE};

@@ -5,9 +5,6 @@
 #include "base/try.h"
 #include "c/calls.h"
 #include "c/handles.h"
-#include "c/options.h"
-#include "c/outputs.h"
-#include "c/placed_input.h"
 #include "io/base/error.h"
 #include "vorpipe/masses.h"
 
@@ -31,13 +28,10 @@ Result<RelaxOptions> relaxOptions(const vorpipe_input& input, const PlacedInput&
 
 vorpipe_code begin(vorpipe_session& session, const vorpipe_input& input, const vorpipe_relax_options* given,
                    vorpipe_relaxation** relaxation) {
-  const auto placed = placedInput(input);
-  if (!placed) return fail(placed.error());
-  auto options = relaxOptions(input, **placed, given);
-  if (!options) return fail(options.error());
-  auto begun = Relaxation::begin(session.session, *(*placed)->sites, std::move(*options));
-  if (!begun) return fail(begun.error());
-  *relaxation = new vorpipe_relaxation{&session, *placed, input, std::move(*begun)};
+  VORPIPE_TAKE(placed, placedInput(input));
+  VORPIPE_TAKE(options, relaxOptions(input, *placed, given));
+  VORPIPE_TAKE(begun, Relaxation::begin(session.session, *placed->sites, std::move(options)));
+  *relaxation = new vorpipe_relaxation{&session, placed, input, std::move(begun)};
   return VORPIPE_DONE;
 }
 
@@ -178,25 +172,22 @@ using namespace vorpipe::c;
 
 vorpipe_code vorpipe_relax_begin(vorpipe_session* session, const vorpipe_input* input,
                                  const vorpipe_relax_options* options, vorpipe_relaxation** relaxation) {
-  if (session == nullptr) return missing("session");
-  if (input == nullptr) return missing("input");
-  if (relaxation == nullptr) return missing("relaxation");
+  VORPIPE_NEEDS(session, input, relaxation);
   return guardedRun(*session, [&] { return begin(*session, *input, options, relaxation); });
 }
 
 vorpipe_code vorpipe_relaxation_step(vorpipe_relaxation* relaxation, int32_t* more) {
-  if (relaxation == nullptr) return missing("relaxation");
+  VORPIPE_NEEDS(relaxation);
   return guardedRun(*relaxation->session, [&]() -> vorpipe_code {
-    const auto stepped = relaxation->relaxation.step();
-    if (!stepped) return fail(stepped.error());
-    if (more != nullptr) *more = *stepped ? 1 : 0;
+    VORPIPE_TAKE(stepped, relaxation->relaxation.step());
+    if (more != nullptr) *more = stepped ? 1 : 0;
     return VORPIPE_DONE;
   });
 }
 
 vorpipe_code vorpipe_relax(vorpipe_session* session, const vorpipe_input* input,
                            const vorpipe_relax_options* options, vorpipe_relaxation** relaxation) {
-  if (relaxation == nullptr) return missing("relaxation");
+  VORPIPE_NEEDS(relaxation);
   vorpipe_relaxation* begun = nullptr;
   vorpipe_code code = vorpipe_relax_begin(session, input, options, &begun);
   for (int32_t more = 1; code == VORPIPE_DONE && more != 0;) code = vorpipe_relaxation_step(begun, &more);
@@ -212,8 +203,7 @@ void vorpipe_relaxation_free(vorpipe_relaxation* relaxation) { delete relaxation
 
 vorpipe_code vorpipe_relaxation_array(const vorpipe_relaxation* relaxation, vorpipe_relaxation_field field,
                                       vorpipe_array* array) {
-  if (relaxation == nullptr) return missing("relaxation");
-  if (array == nullptr) return missing("array");
+  VORPIPE_NEEDS(relaxation, array);
   return guarded([&] { return give(arrayOf(*relaxation, field), array); });
 }
 
@@ -223,8 +213,7 @@ vorpipe_relax_end vorpipe_relaxation_end(const vorpipe_relaxation* relaxation) {
 }
 
 vorpipe_code vorpipe_relaxation_report(const vorpipe_relaxation* relaxation, vorpipe_report* report) {
-  if (relaxation == nullptr) return missing("relaxation");
-  if (report == nullptr) return missing("report");
+  VORPIPE_NEEDS(relaxation, report);
   return guarded([&] { return giveReport(relaxation->relaxation.report(), report); });
 }
 
@@ -233,34 +222,27 @@ const char* vorpipe_relaxation_note(const vorpipe_relaxation* relaxation, size_t
 }
 
 vorpipe_code vorpipe_relaxation_input(const vorpipe_relaxation* relaxation, vorpipe_input** input) {
-  if (relaxation == nullptr) return missing("relaxation");
-  if (input == nullptr) return missing("input");
+  VORPIPE_NEEDS(relaxation, input);
   return guarded([&] { return giveMoved(movedOf(*relaxation), relaxation->input.surface, input); });
 }
 
 vorpipe_code vorpipe_relaxation_write(const vorpipe_relaxation* relaxation, const char* format,
                                       vorpipe_write write, void* user) {
-  if (relaxation == nullptr) return missing("relaxation");
-  if (format == nullptr) return missing("format");
-  if (write == nullptr) return missing("write");
+  VORPIPE_NEEDS(relaxation, format, write);
   return guarded([&] { return writeMoved(movedOf(*relaxation), format, write, user); });
 }
 
 vorpipe_code vorpipe_relaxation_save(const vorpipe_relaxation* relaxation, const char* path) {
-  if (relaxation == nullptr) return missing("relaxation");
-  if (path == nullptr) return missing("path");
+  VORPIPE_NEEDS(relaxation, path);
   return guarded([&] { return saveMoved(movedOf(*relaxation), path); });
 }
 
 vorpipe_code vorpipe_transport(vorpipe_session* session, const vorpipe_input* input,
                                const vorpipe_transport_options* options, vorpipe_transported** transported) {
-  if (session == nullptr) return missing("session");
-  if (input == nullptr) return missing("input");
-  if (transported == nullptr) return missing("transported");
+  VORPIPE_NEEDS(session, input, transported);
   return guardedRun(*session, [&]() -> vorpipe_code {
-    auto found = find(*session, *input, options);
-    if (!found) return fail(found.error());
-    *transported = found->release();
+    VORPIPE_TAKE(found, find(*session, *input, options));
+    *transported = found.release();
     return VORPIPE_DONE;
   });
 }
@@ -269,8 +251,7 @@ void vorpipe_transported_free(vorpipe_transported* transported) { delete transpo
 
 vorpipe_code vorpipe_transported_array(const vorpipe_transported* transported,
                                        vorpipe_transported_field field, vorpipe_array* array) {
-  if (transported == nullptr) return missing("transported");
-  if (array == nullptr) return missing("array");
+  VORPIPE_NEEDS(transported, array);
   return guarded([&] { return give(arrayOf(*transported, field), array); });
 }
 
@@ -284,8 +265,7 @@ double vorpipe_transported_cost(const vorpipe_transported* transported) {
 }
 
 vorpipe_code vorpipe_transported_report(const vorpipe_transported* transported, vorpipe_report* report) {
-  if (transported == nullptr) return missing("transported");
-  if (report == nullptr) return missing("report");
+  VORPIPE_NEEDS(transported, report);
   return guarded([&] { return giveReport(transported->found.report, report); });
 }
 
@@ -294,21 +274,17 @@ const char* vorpipe_transported_note(const vorpipe_transported* transported, siz
 }
 
 vorpipe_code vorpipe_transported_input(const vorpipe_transported* transported, vorpipe_input** input) {
-  if (transported == nullptr) return missing("transported");
-  if (input == nullptr) return missing("input");
+  VORPIPE_NEEDS(transported, input);
   return guarded([&] { return giveMoved(movedOf(*transported), transported->surface, input); });
 }
 
 vorpipe_code vorpipe_transported_write(const vorpipe_transported* transported, const char* format,
                                        vorpipe_write write, void* user) {
-  if (transported == nullptr) return missing("transported");
-  if (format == nullptr) return missing("format");
-  if (write == nullptr) return missing("write");
+  VORPIPE_NEEDS(transported, format, write);
   return guarded([&] { return writeMoved(movedOf(*transported), format, write, user); });
 }
 
 vorpipe_code vorpipe_transported_save(const vorpipe_transported* transported, const char* path) {
-  if (transported == nullptr) return missing("transported");
-  if (path == nullptr) return missing("path");
+  VORPIPE_NEEDS(transported, path);
   return guarded([&] { return saveMoved(movedOf(*transported), path); });
 }

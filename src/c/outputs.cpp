@@ -1,4 +1,4 @@
-#include "c/outputs.h"
+#include "c/calls.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -6,10 +6,7 @@
 #include <span>
 #include <string>
 
-#include "c/calls.h"
-#include "c/diagram.h"
 #include "c/handles.h"
-#include "c/placed_input.h"
 #include "io/base/error.h"
 #include "io/base/extension.h"
 #include "io/cells/cells_file.h"

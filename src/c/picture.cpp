@@ -1,16 +1,13 @@
-/// Pictures: runs, arrays, reports; and pictures as shapes.
+/// Pictures; and what checks and compares results.
 #include <fmt/core.h>
 
+#include <algorithm>
 #include <string>
 #include <utility>
 
 #include "base/try.h"
 #include "c/calls.h"
-#include "c/diagram.h"
 #include "c/handles.h"
-#include "c/options.h"
-#include "c/outputs.h"
-#include "c/placed_input.h"
 #include "io/base/error.h"
 #include "io/base/extension.h"
 #include "io/pictures/npy_ids.h"
@@ -55,19 +52,16 @@ Result<Image> readPicture(const std::string& path) {
 
 vorpipe_code draw(vorpipe_session& session, const vorpipe_input& input, const vorpipe_render_options* given,
                   vorpipe_picture** picture) {
-  const auto placed = placedInput(input);
-  if (!placed) return fail(placed.error());
-  auto options = renderOptions(**placed, given);
-  if (!options) return fail(options.error());
-  auto drawn = session.session.render(*(*placed)->sites, *options);
-  if (!drawn) return fail(drawn.error());
+  VORPIPE_TAKE(placed, placedInput(input));
+  VORPIPE_TAKE(options, renderOptions(*placed, given));
+  VORPIPE_TAKE(drawn, session.session.render(*placed->sites, options));
   const bool has_air = input.surface == Surface::free;
   if (has_air) {
-    auto taken_out = takeOutAir(*(*placed)->sites, *options, drawn->image, session.threads);
+    const auto taken_out = takeOutAir(*placed->sites, options, drawn.image, session.threads);
     if (!taken_out) return fail(taken_out.error());
   }
-  options->progress = nullptr;
-  *picture = new vorpipe_picture{*placed, std::move(*options), std::move(*drawn), has_air};
+  options.progress = nullptr;
+  *picture = new vorpipe_picture{placed, std::move(options), std::move(drawn), has_air};
   return VORPIPE_DONE;
 }
 
@@ -108,6 +102,101 @@ Result<void> draw(vorpipe_session& session, const vorpipe_input& input, const vo
   return format.write(to, {sites, options, nullptr, &found, placed->domain.system, session.threads});
 }
 
+/// Sends each broken promise to the caller, in a line of its own.
+vorpipe_code tellBroken(const Result<std::vector<std::string>>& broken, vorpipe_write write, void* user) {
+  if (!broken) return fail(broken.error());
+  if (broken->empty()) return VORPIPE_DONE;
+  for (const std::string& promise : *broken) {
+    const std::string line = promise + "\n";
+    if (write != nullptr && write(user, line.data(), line.size()) != 0) break;
+  }
+  return fail(VORPIPE_DIFFERENT, broken->front());
+}
+
+/// Returns broken promises of cells, checked in the plane where they were made.
+Result<std::vector<std::string>> checkCells(const vorpipe_diagram& given, int threads) {
+  const Sites& sites = *given.input->sites;
+  if (!given.plane) return check(sites, given.options, given.diagram, threads);
+  Diagram diagram = given.diagram;
+  diagram.vertices = given.plane->vertices;
+  diagram.centroid = given.plane->centroid;
+  diagram.mass_centroid = given.plane->mass_centroid;
+  return check(sites, given.options, diagram, threads);
+}
+
+/// Returns the result of a compare function, and stores the figures for the caller.
+template <class Difference>
+vorpipe_code tellDifference(bool agree, const std::string& message, const Difference& figures, Difference* to,
+                            std::string_view name) {
+  if (to != nullptr) {
+    if (auto given = give(figures, to, name); !given) return fail(given.error());
+  }
+  return agree ? vorpipe_code{VORPIPE_DONE} : fail(VORPIPE_DIFFERENT, message);
+}
+
+vorpipe_code compareIds(const vorpipe_picture& a, const vorpipe_picture& b,
+                        vorpipe_picture_difference* difference) {
+  const Image& first = a.rendering.image;
+  const auto& ids = b.rendering.image.ids;
+  const vorpipe_picture& drawn = a.input != nullptr ? a : b;
+  Result<IdDiff> found = drawn.input == nullptr
+                             ? diffIds(first.ids, ids, first.width, first.height)
+                             : diffIds(first.ids, ids, first.width, first.height, *drawn.input->sites,
+                                       drawn.options.domain, drawn.options.periodic, drawn.options.fit);
+  if (!found) return fail(found.error());
+  vorpipe_picture_difference figures{};
+  figures.equal = found->equal;
+  figures.ties = found->ties;
+  figures.wrong = found->wrong;
+  figures.ties_allowed = found->ties_allowed;
+  figures.widest_tie = found->widest_tie;
+  return tellDifference(
+      found->agree(),
+      fmt::format("{} pixels have different sites, {} others are ties, {} of which are allowed", found->wrong,
+                  found->ties, found->ties_allowed),
+      figures, difference, "vorpipe_picture_difference");
+}
+
+vorpipe_code compareColors(const Image& a, const Image& b, vorpipe_picture_difference* difference) {
+  const ImageDiff found = diffImages(a.rgba, b.rgba, a.width, a.height);
+  vorpipe_picture_difference figures{};
+  figures.largest = static_cast<std::uint32_t>(found.largest);
+  figures.equal = a.rgba.size() - found.different;
+  figures.wrong = found.different;
+  return tellDifference(found.different == 0,
+                        fmt::format("{} pixels differ, by up to {}", found.different, found.largest), figures,
+                        difference, "vorpipe_picture_difference");
+}
+
+vorpipe_code comparePictures(const vorpipe_picture& a, const vorpipe_picture& b,
+                             vorpipe_picture_difference* difference) {
+  const Image &first = a.rendering.image, &second = b.rendering.image;
+  if (first.width != second.width || first.height != second.height) {
+    return fail(VORPIPE_INPUT, fmt::format("pictures of {} x {} and {} x {} pixels cannot be compared",
+                                           first.width, first.height, second.width, second.height));
+  }
+  if (!first.ids.empty() && !second.ids.empty()) return compareIds(a, b, difference);
+  if (!first.rgba.empty() && !second.rgba.empty()) return compareColors(first, second, difference);
+  return fail(VORPIPE_INPUT, "one picture has pixels alone, the other has ids alone");
+}
+
+vorpipe_code compareDiagrams(const vorpipe_diagram& a, const vorpipe_diagram& b,
+                             vorpipe_cells_difference* difference) {
+  VORPIPE_TAKE(found, diffCells(a.diagram, b.diagram));
+  vorpipe_cells_difference figures{};
+  figures.worst_site = found.worst_site;
+  figures.equal = found.equal;
+  figures.statuses = found.statuses;
+  figures.neighbors = found.neighbors;
+  figures.areas = found.areas;
+  figures.worst_area = found.worst_area;
+  return tellDifference(
+      found.agree(),
+      fmt::format("{} cells differ in their status, {} in their neighbors, {} in their area", found.statuses,
+                  found.neighbors, found.areas),
+      figures, difference, "vorpipe_cells_difference");
+}
+
 }  // namespace
 }  // namespace vorpipe::c
 
@@ -116,19 +205,15 @@ using namespace vorpipe::c;
 
 vorpipe_code vorpipe_render(vorpipe_session* session, const vorpipe_input* input,
                             const vorpipe_render_options* options, vorpipe_picture** picture) {
-  if (session == nullptr) return missing("session");
-  if (input == nullptr) return missing("input");
-  if (picture == nullptr) return missing("picture");
+  VORPIPE_NEEDS(session, input, picture);
   return guardedRun(*session, [&] { return draw(*session, *input, options, picture); });
 }
 
 vorpipe_code vorpipe_picture_read(const char* path, vorpipe_picture** picture) {
-  if (path == nullptr) return missing("path");
-  if (picture == nullptr) return missing("picture");
+  VORPIPE_NEEDS(path, picture);
   return guarded([&] {
-    auto image = readPicture(path);
-    if (!image) return fail(image.error());
-    *picture = new vorpipe_picture{nullptr, {}, {std::move(*image), {}, {}, {}, {}}};
+    VORPIPE_TAKE(image, readPicture(path));
+    *picture = new vorpipe_picture{nullptr, {}, {std::move(image), {}, {}, {}, {}}};
     return vorpipe_code{VORPIPE_DONE};
   });
 }
@@ -137,8 +222,7 @@ void vorpipe_picture_free(vorpipe_picture* picture) { delete picture; }
 
 vorpipe_code vorpipe_picture_array(const vorpipe_picture* picture, vorpipe_picture_field field,
                                    vorpipe_array* array) {
-  if (picture == nullptr) return missing("picture");
-  if (array == nullptr) return missing("array");
+  VORPIPE_NEEDS(picture, array);
   return guarded([&] { return give(arrayOf(picture->rendering, field), array); });
 }
 
@@ -151,14 +235,12 @@ int32_t vorpipe_picture_height(const vorpipe_picture* picture) {
 }
 
 vorpipe_code vorpipe_picture_key(const vorpipe_picture* picture, vorpipe_color_key* key) {
-  if (picture == nullptr) return missing("picture");
-  if (key == nullptr) return missing("key");
+  VORPIPE_NEEDS(picture, key);
   return guarded([&] { return codeOf(give(keyOf(picture->rendering), key, "vorpipe_color_key")); });
 }
 
 vorpipe_code vorpipe_picture_report(const vorpipe_picture* picture, vorpipe_report* report) {
-  if (picture == nullptr) return missing("picture");
-  if (report == nullptr) return missing("report");
+  VORPIPE_NEEDS(picture, report);
   return guarded([&] { return codeOf(give(reportOf(picture->rendering.report), report, "vorpipe_report")); });
 }
 
@@ -173,27 +255,55 @@ const char* vorpipe_picture_validation(const vorpipe_picture* picture, size_t in
 vorpipe_code vorpipe_draw(vorpipe_session* session, const vorpipe_input* input,
                           const vorpipe_render_options* options, const char* format, vorpipe_write write,
                           void* user) {
-  if (session == nullptr) return missing("session");
-  if (input == nullptr) return missing("input");
-  if (format == nullptr) return missing("format");
-  if (write == nullptr) return missing("write");
+  VORPIPE_NEEDS(session, input, format, write);
   return guardedRun(*session, [&] {
-    const auto known = shapesFormatOf(std::string("picture.") + format);
-    if (!known) return fail(known.error());
+    VORPIPE_TAKE(known, shapesFormatOf(std::string("picture.") + format));
     auto sink = sinkOf(format, write, user);
-    return codeOf(draw(*session, *input, options, **known, sink));
+    return codeOf(draw(*session, *input, options, *known, sink));
   });
 }
 
 vorpipe_code vorpipe_draw_save(vorpipe_session* session, const vorpipe_input* input,
                                const vorpipe_render_options* options, const char* path) {
-  if (session == nullptr) return missing("session");
-  if (input == nullptr) return missing("input");
-  if (path == nullptr) return missing("path");
+  VORPIPE_NEEDS(session, input, path);
   return guardedRun(*session, [&] {
-    const auto known = shapesFormatOf(path);
-    if (!known) return fail(known.error());
-    return codeOf(
-        writeFile(path, [&](ByteSink& to) { return draw(*session, *input, options, **known, to); }));
+    VORPIPE_TAKE(known, shapesFormatOf(path));
+    return codeOf(writeFile(path, [&](ByteSink& to) { return draw(*session, *input, options, *known, to); }));
   });
+}
+
+vorpipe_code vorpipe_diagram_check(const vorpipe_diagram* diagram, int32_t threads, vorpipe_write broken,
+                                   void* user) {
+  VORPIPE_NEEDS(diagram);
+  return guarded([&] {
+    VORPIPE_TAKE(count, threadsOf(threads));
+    if (diagram->has_air) return fail(VORPIPE_INPUT, "cells with a free surface cannot be checked yet");
+    return tellBroken(checkCells(*diagram, count), broken, user);
+  });
+}
+
+vorpipe_code vorpipe_picture_check(const vorpipe_picture* picture, int32_t threads, vorpipe_write broken,
+                                   void* user) {
+  VORPIPE_NEEDS(picture);
+  return guarded([&] {
+    VORPIPE_TAKE(count, threadsOf(threads));
+    if (picture->input == nullptr) {
+      return fail(VORPIPE_INPUT, "a picture that was read cannot be checked: its sites are not known");
+    }
+    if (picture->has_air) return fail(VORPIPE_INPUT, "pictures with a free surface cannot be checked yet");
+    return tellBroken(check(*picture->input->sites, picture->options, picture->rendering, count), broken,
+                      user);
+  });
+}
+
+vorpipe_code vorpipe_diagrams_compare(const vorpipe_diagram* a, const vorpipe_diagram* b,
+                                      vorpipe_cells_difference* difference) {
+  if (a == nullptr || b == nullptr) return missing("diagram");
+  return guarded([&] { return compareDiagrams(*a, *b, difference); });
+}
+
+vorpipe_code vorpipe_pictures_compare(const vorpipe_picture* a, const vorpipe_picture* b,
+                                      vorpipe_picture_difference* difference) {
+  if (a == nullptr || b == nullptr) return missing("picture");
+  return guarded([&] { return comparePictures(*a, *b, difference); });
 }
