@@ -227,15 +227,14 @@ Result<Transported> transport(Session& session, Sites sites, const TransportOpti
   const auto order = memoryOrder(places, options.domain);
   Sites at = inOrder(places, order);
   if (options.surface == Surface::none && !at.weight.empty()) centerWeights(at.weight, session.threads());
-  auto reached = reachWeights(session, cells, options.surface, inOrder(targets, order), at,
-                              {options.tolerance, options.diagrams}, watcher);
-  if (!reached) return tl::unexpected(std::move(reached.error()));
+  VORPIPE_VAR(reached, reachWeights(session, cells, options.surface, inOrder(targets, order), at,
+                                    {options.tolerance, options.diagrams}, watcher));
   Transported done;
-  done.end = reached->end;
-  done.trace = std::move(reached->trace);
-  done.report = reached->cells.cells().report();
-  if (reached->cells.areMeasured()) {
-    const CellMoments& moments = reached->cells.cells().moments();
+  done.end = reached.end;
+  done.trace = std::move(reached.trace);
+  done.report = reached.cells.cells().report();
+  if (reached.cells.areMeasured()) {
+    const CellMoments& moments = reached.cells.cells().moments();
     done.cost =
         carefulSum(at.size(), session.threads(), [&](std::size_t i) { return energyOf(at, moments, i); });
     done.cells = momentsInCallersOrder(moments, order);

@@ -9,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include "base/try.h"
 #include "io/base/byte_sink.h"
 #include "vorpipe.h"
 
@@ -97,10 +98,9 @@ class OutputFile final : public ByteSink {
 /// Creates a file, has `write` fill it, and puts it in place. Errors: those of OutputFile and of `write`.
 template <class Write>
 Result<void> writeFile(const std::string& path, const Write& write) {
-  auto file = OutputFile::create(path);
-  if (!file) return tl::unexpected(std::move(file.error()));
-  if (Result<void> written = write(*file); !written) return written;
-  return file->commit();
+  VORPIPE_VAR(file, OutputFile::create(path));
+  VORPIPE_TRY(write(file));
+  return file.commit();
 }
 
 /// Creates an output file for each path, in order. Errors (input): those of create(), two paths are one file,
