@@ -49,7 +49,7 @@ enum class CellStatus : std::uint8_t {
   missing = 0,    ///< the device did not answer
   certified = 1,  ///< complete: no other site can cut it
   empty = 2,      ///< certified, and no part of it lies inside the domain
-  overflow = 3,   ///< more edges at once than the effort allows
+  overflow = 3,   ///< more edges at once than the capacity allows
   unsecured = 4,  ///< sites beyond the entry's reach might cut it
   open = 5,       ///< its edges do not close: rounding was too coarse
 };
@@ -90,7 +90,7 @@ struct BackendInfo {
   std::uint64_t max_bins = 0;     ///< most bins of their grid
   std::uint64_t max_lines = 0;    ///< most lines in one batch, corners or triangles in one call
   std::uint32_t max_entries = 0;  ///< most entries in one batch, most sites in one call of cells or draw
-  int most_edges = 0;             ///< that a cell may have at once, with Effort::roomy
+  int most_edges = 0;             ///< that a cell may have at once, with Capacity::large
   int subpixel_bits = 8;          ///< vertices are snapped to 1 / 2^bits of a pixel
   bool has_vertices = true;       ///< whether pictures are drawn; else every pixel is searched for
 };
@@ -113,9 +113,9 @@ struct Computed {
 };
 
 /// How many edges a cell may have at once while it is clipped in float.
-enum class Effort : std::uint8_t {
-  fast,   ///< EDGES_FAST edges at any time of the clipping
-  roomy,  ///< the most that the backend has
+enum class Capacity : std::uint8_t {
+  small,  ///< EDGES_FAST edges at any time of the clipping
+  large,  ///< the most that the backend has
 };
 
 class Backend {
@@ -132,9 +132,9 @@ class Backend {
   /// Finds the cells of the sites `which` (indices in the set) by searching the grid. Replaces `out`, with
   /// one entry for each. Neighborhoods are subject to rounding: neighbors across an edge of almost no length
   /// may or may not be listed.
-  virtual Result<void> cells(std::span<const std::uint32_t> which, Effort effort, CellNeighbors& out) = 0;
+  virtual Result<void> cells(std::span<const std::uint32_t> which, Capacity capacity, CellNeighbors& out) = 0;
 
-  /// Clips each entry of a batch as with Effort::roomy, and returns the neighbors of its cell.
+  /// Clips each entry of a batch as with Capacity::large, and returns the neighbors of its cell.
   virtual Result<void> cells(const CellBatch<double>& batch, CellNeighbors& out) = 0;
 
   /// Clears the picture: every pixel has no_site and color 0.
@@ -145,12 +145,12 @@ class Backend {
   /// no gap. If the grid is coarse, they are shrunk instead and may leave pixels at their edges uncovered. A
   /// cell whose float error might be visible is `unsecured` (precision.h). status has one element per site. A
   /// cell that is shrunk to nothing is `certified`.
-  virtual Result<void> draw(std::span<const std::uint32_t> which, Effort effort,
+  virtual Result<void> draw(std::span<const std::uint32_t> which, Capacity capacity,
                             std::span<CellStatus> status) = 0;
 
   /// The same for the entries of a batch, except that the caller accounts for their float error. marks and
   /// status have one element per entry.
-  virtual Result<void> draw(const CellBatch<float>& batch, std::span<const DrawMark> marks, Effort effort,
+  virtual Result<void> draw(const CellBatch<float>& batch, std::span<const DrawMark> marks, Capacity capacity,
                             std::span<CellStatus> status) = 0;
 
   /// Draws triangles over the picture, in order. The corners of triangle t are the three that `corner_of`

@@ -13,20 +13,20 @@ class ForwardingBackend : public Backend {
   Result<void> upload(const SiteSet& sites, std::span<const std::uint8_t> palette_index) override {
     return real_.upload(sites, palette_index);
   }
-  Result<void> cells(std::span<const std::uint32_t> which, Effort effort, CellNeighbors& out) override {
-    return real_.cells(which, effort, out);
+  Result<void> cells(std::span<const std::uint32_t> which, Capacity capacity, CellNeighbors& out) override {
+    return real_.cells(which, capacity, out);
   }
   Result<void> cells(const CellBatch<double>& batch, CellNeighbors& out) override {
     return real_.cells(batch, out);
   }
   Result<void> begin(const View& view) override { return real_.begin(view); }
-  Result<void> draw(std::span<const std::uint32_t> which, Effort effort,
+  Result<void> draw(std::span<const std::uint32_t> which, Capacity capacity,
                     std::span<CellStatus> status) override {
-    return real_.draw(which, effort, status);
+    return real_.draw(which, capacity, status);
   }
-  Result<void> draw(const CellBatch<float>& batch, std::span<const DrawMark> marks, Effort effort,
+  Result<void> draw(const CellBatch<float>& batch, std::span<const DrawMark> marks, Capacity capacity,
                     std::span<CellStatus> status) override {
-    return real_.draw(batch, marks, effort, status);
+    return real_.draw(batch, marks, capacity, status);
   }
   Result<void> drawTriangles(std::span<const DrawMark> corners,
                              std::span<const std::uint32_t> corner_of) override {

@@ -14,7 +14,7 @@
 namespace vorpipe {
 namespace {
 
-// Longer searches are left to the judge, whose tree is no slower where sites crowd in few bins.
+// Longer searches are left to the exact search, whose tree is no slower where sites crowd in few bins.
 constexpr std::int32_t most_tried = 512;
 // If weights differ by much more than the square of a spacing, cells have many spacings to search.
 constexpr std::int32_t most_tried_weighted = 4096;

@@ -129,9 +129,10 @@ Result<void> TimedBackend::upload(const SiteSet& sites, std::span<const std::uin
                [&] { return ForwardingBackend::upload(sites, palette_index); });
 }
 
-Result<void> TimedBackend::cells(std::span<const std::uint32_t> which, Effort effort, CellNeighbors& out) {
+Result<void> TimedBackend::cells(std::span<const std::uint32_t> which, Capacity capacity,
+                                 CellNeighbors& out) {
   auto done =
-      timed(Stage::clip, bytesOf(which), [&] { return ForwardingBackend::cells(which, effort, out); });
+      timed(Stage::clip, bytesOf(which), [&] { return ForwardingBackend::cells(which, capacity, out); });
   at(Stage::clip).received += bytesOf(out);
   return done;
 }
@@ -146,17 +147,17 @@ Result<void> TimedBackend::begin(const View& view) {
   return timed(Stage::draw, 0, [&] { return ForwardingBackend::begin(view); });
 }
 
-Result<void> TimedBackend::draw(std::span<const std::uint32_t> which, Effort effort,
+Result<void> TimedBackend::draw(std::span<const std::uint32_t> which, Capacity capacity,
                                 std::span<CellStatus> status) {
   at(Stage::draw).received += bytesOf(status);
-  return timed(Stage::draw, bytesOf(which), [&] { return ForwardingBackend::draw(which, effort, status); });
+  return timed(Stage::draw, bytesOf(which), [&] { return ForwardingBackend::draw(which, capacity, status); });
 }
 
-Result<void> TimedBackend::draw(const CellBatch<float>& batch, std::span<const DrawMark> marks, Effort effort,
-                                std::span<CellStatus> status) {
+Result<void> TimedBackend::draw(const CellBatch<float>& batch, std::span<const DrawMark> marks,
+                                Capacity capacity, std::span<CellStatus> status) {
   at(Stage::draw).received += bytesOf(status);
   return timed(Stage::draw, bytesOf(batch) + bytesOf(marks),
-               [&] { return ForwardingBackend::draw(batch, marks, effort, status); });
+               [&] { return ForwardingBackend::draw(batch, marks, capacity, status); });
 }
 
 Result<void> TimedBackend::drawTriangles(std::span<const DrawMark> corners,

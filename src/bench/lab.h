@@ -38,12 +38,12 @@ class TimedBackend final : public ForwardingBackend {
   using ForwardingBackend::ForwardingBackend;
 
   Result<void> upload(const SiteSet& sites, std::span<const std::uint8_t> palette_index) override;
-  Result<void> cells(std::span<const std::uint32_t> which, Effort effort, CellNeighbors& out) override;
+  Result<void> cells(std::span<const std::uint32_t> which, Capacity capacity, CellNeighbors& out) override;
   Result<void> cells(const CellBatch<double>& batch, CellNeighbors& out) override;
   Result<void> begin(const View& view) override;
-  Result<void> draw(std::span<const std::uint32_t> which, Effort effort,
+  Result<void> draw(std::span<const std::uint32_t> which, Capacity capacity,
                     std::span<CellStatus> status) override;
-  Result<void> draw(const CellBatch<float>& batch, std::span<const DrawMark> marks, Effort effort,
+  Result<void> draw(const CellBatch<float>& batch, std::span<const DrawMark> marks, Capacity capacity,
                     std::span<CellStatus> status) override;
   Result<void> drawTriangles(std::span<const DrawMark> corners,
                              std::span<const std::uint32_t> corner_of) override;

@@ -109,7 +109,7 @@ std::pair<std::vector<std::uint32_t>, Precision> nextAround(const NeighborRows& 
 
 /// Checks all cells and writes their records. Disputed cells are found again, in double and then exactly,
 /// until no dispute is left. Updates `rows`; `report` counts what was found again. Returns the cells at ties,
-/// which differ from their rows. Errors: those of the judge; exact cells still differ about an edge.
+/// which differ from their rows. Errors: those of the exact search; exact cells still differ about an edge.
 class Reconciliation {
  public:
   Reconciliation(const SearchInput& input, NeighborRows& rows, const Records& records, Report& report)
@@ -132,7 +132,7 @@ class Reconciliation {
       }
       all_changed_ = false;
       changed_.clear();
-      const auto disputes = fallback_ == Fallback::ties ? Disputes::are_ties : Disputes::are_listed;
+      const auto disputes = source_ == Source::ties ? Disputes::are_ties : Disputes::are_listed;
       auto tied = resolveTies(proposed, suspect_, fineness_, disputes, records_);
       if (!tied) return tied;
       VORPIPE_LET(done, repair(proposed, *tied));
@@ -144,10 +144,10 @@ class Reconciliation {
   }
 
  private:
-  /// Fallbacks if the judge has nothing left to try. mesh: all cells come from the triangulation, and so
-  /// agree. ties: edges still in dispute become ties; correct cells may disagree where ties join more than
+  /// Fallbacks if the exact search has nothing left to try. mesh: all cells come from the triangulation, and
+  /// so agree. ties: edges still in dispute become ties; correct cells may disagree where ties join more than
   /// they should.
-  enum class Fallback : std::uint8_t { judge, mesh, ties };
+  enum class Source : std::uint8_t { search, mesh, ties };
 
   /// Break-even between exact cells, which take up to a second each where many bisectors nearly meet in a
   /// point, and the mesh of all sites.
@@ -159,11 +159,12 @@ class Reconciliation {
     if (!tied.enclosed.empty()) return false;
     const bool agreed = tied.disputed.empty();
     const auto doubtful = agreed ? cellsOfTies(proposed, tied) : tied.disputed;
-    if (fallback_ != Fallback::ties && dropVanished(doubtful)) return false;
-    if (fallback_ == Fallback::judge) {
+    if (source_ != Source::ties && dropVanished(doubtful)) return false;
+    if (source_ == Source::search) {
       const auto [which, precision] =
           agreed ? precisions_.next(doubtful) : nextAround(rows_, doubtful, precisions_);
-      const bool many = precision == Precision::exact && which.size() > most_exact && input_.judge.hasMesh();
+      const bool many =
+          precision == Precision::exact && which.size() > most_exact && input_.exact_search.hasMesh();
       if (!which.empty() && !many) return find(which, precision);
       if (many) return fallBack(doubtful);
     }
@@ -174,9 +175,9 @@ class Reconciliation {
   /// Makes ties finer where they make vertices wide. Returns true if no vertex is wide. Decides this, and
   /// which edges at walls count, on exact cells: then results do not depend on the backend.
   Result<bool> narrow(const TiedCells& tied) {
-    if (fallback_ == Fallback::judge) {
+    if (source_ == Source::search) {
       const auto which = precisions_.notYet(tied.unsure, Precision::exact);
-      if (which.size() > most_exact && input_.judge.hasMesh()) return fallBack(which);
+      if (which.size() > most_exact && input_.exact_search.hasMesh()) return fallBack(which);
       if (!which.empty()) return find(which, Precision::exact);
     }
     fineness_.increase(tied.wide, sites_.size());
@@ -204,18 +205,18 @@ class Reconciliation {
   }
 
   Result<bool> fallBack(const std::vector<std::uint32_t>& doubtful) {
-    if (fallback_ == Fallback::ties) {
+    if (source_ == Source::ties) {
       return tl::unexpected(refusal(
           Subject::sites, fmt::format("the cells of {} sites around site {} disagree beyond exact arithmetic",
                                       doubtful.size(), sites_.id[doubtful[0]])));
     }
-    if (fallback_ == Fallback::judge && findAllInMesh(input_, rows_)) {
+    if (source_ == Source::search && findAllInMesh(input_, rows_)) {
       report_.exact += sites_.size();
-      fallback_ = Fallback::mesh;
+      source_ = Source::mesh;
       suspect_.assign(suspect_.size(), 0);
       all_changed_ = true;
     } else {
-      fallback_ = Fallback::ties;
+      source_ = Source::ties;
     }
     return false;
   }
@@ -230,7 +231,7 @@ class Reconciliation {
   std::vector<std::uint8_t> suspect_;
   std::vector<std::uint32_t> changed_;
   bool all_changed_ = true;
-  Fallback fallback_ = Fallback::judge;
+  Source source_ = Source::search;
 };
 
 /// Makes cells agree such that their areas add up to the domain's. If the sum is off although neighbors agree
@@ -268,7 +269,8 @@ Result<std::optional<AgreedCells>> agreeOnCells(const Machine& machine, SiteRun&
   const SiteSet& set = run.prepared.set;
   // A duplicate has no cell.
   if (at_empty == AtEmpty::end && set.size() < sites.size()) return std::nullopt;
-  const SearchInput input{machine.backend, run.judge, set, options.search, machine.threads, options.progress};
+  const SearchInput input{machine.backend, run.exact_search, set,
+                          options.search,  machine.threads,  options.progress};
   VORPIPE_VAR(rows, findNeighbors(input, at_empty, report));
   if (!rows) return std::nullopt;
   AgreedCells agreed{std::move(*rows), makeRecords(run.prepared, sites), {}};

@@ -104,8 +104,8 @@ struct Limits {
 }  // namespace
 
 Result<void> askCells(Backend& backend, std::size_t sites, std::span<const std::uint32_t> which,
-                      Effort effort, int threads, CellNeighbors& out) {
-  VORPIPE_TRY(backend.cells(which, effort, out));
+                      Capacity capacity, int threads, CellNeighbors& out) {
+  VORPIPE_TRY(backend.cells(which, capacity, out));
   const auto count = static_cast<std::int64_t>(sites);
   return secure(backend, which.size(), threads, out, [&](std::size_t e) { return Limits{which[e], count}; });
 }
@@ -117,16 +117,16 @@ Result<void> askCells(Backend& backend, const CellBatch<double>& batch, int thre
   });
 }
 
-Result<void> askToDraw(Backend& backend, std::span<const std::uint32_t> which, Effort effort,
+Result<void> askToDraw(Backend& backend, std::span<const std::uint32_t> which, Capacity capacity,
                        std::span<CellStatus> status) {
-  VORPIPE_TRY(backend.draw(which, effort, status));
+  VORPIPE_TRY(backend.draw(which, capacity, status));
   secure(status);
   return {};
 }
 
 Result<void> askToDraw(Backend& backend, const CellBatch<float>& batch, std::span<const DrawMark> marks,
-                       Effort effort, std::span<CellStatus> status) {
-  VORPIPE_TRY(backend.draw(batch, marks, effort, status));
+                       Capacity capacity, std::span<CellStatus> status) {
+  VORPIPE_TRY(backend.draw(batch, marks, capacity, status));
   secure(status);
   return {};
 }

@@ -98,19 +98,20 @@ Result<std::vector<std::uint32_t>> CellLadder::run(const Ask& ask) {
 Result<void> CellLadder::findLeft(const Indices& which, NeighborRows& rows) {
   if (which.empty()) return {};
   const Stopwatch watch;
-  if (input_.judge.findAmong(which, input_.threads, rows)) {
+  if (input_.exact_search.findAmong(which, input_.threads, rows)) {
     judge_seconds_ += watch.seconds();
     in_double_ += which.size();
     return {};
   }
-  VORPIPE_VAR(judged, askJudge(which));
-  rows.add(judged.which, std::move(judged.found));
+  VORPIPE_VAR(rest, askExactSearch(which));
+  rows.add(rest.which, std::move(rest.found));
   return {};
 }
 
-Result<CellResults> CellLadder::askJudge(Indices which) {
+Result<CellResults> CellLadder::askExactSearch(Indices which) {
   const Stopwatch watch;
-  VORPIPE_VAR(found, input_.judge.find(which, Precision::in_double, input_.threads, input_.progress, exact_));
+  VORPIPE_VAR(found,
+              input_.exact_search.find(which, Precision::in_double, input_.threads, input_.progress, exact_));
   if (!which.empty()) judge_seconds_ += watch.seconds();
   in_double_ += which.size();
   return CellResults{std::move(which), std::move(found)};
@@ -153,27 +154,27 @@ Result<void> CellLadder::tryTile(const Tile& tile, const Ask& ask) {
 
 /// Adds to `large` the cells that need more room, according to earlier tries or this one.
 Result<void> CellLadder::tryFast(const Tile& tile, Which which, const Ask& ask, Large& large) {
-  if (!any_large_) return tryCells(tile, which, Effort::fast, ask, large);
+  if (!any_large_) return tryCells(tile, which, Capacity::small, ask, large);
   Indices fast;
   for (const auto site : which) (large_[tile.wholeIndex(site)] ? large.cells : fast).push_back(site);
-  return tryCells(tile, fast, Effort::fast, ask, large);
+  return tryCells(tile, fast, Capacity::small, ask, large);
 }
 
 Result<void> CellLadder::retryLarge(const Tile& tile, const Ask& ask, Large& large) {
   const Large all = std::exchange(large, {});
   retried_ += all.overflowed;
-  return tryCells(tile, all.cells, Effort::roomy, ask, large);
+  return tryCells(tile, all.cells, Capacity::large, ask, large);
 }
 
-Result<void> CellLadder::tryCells(const Tile& tile, Which which, Effort effort, const Ask& ask,
+Result<void> CellLadder::tryCells(const Tile& tile, Which which, Capacity capacity, const Ask& ask,
                                   Large& large) {
-  const bool fast = effort == Effort::fast;
+  const bool fast = capacity == Capacity::small;
   const auto before = large.cells.size();
   std::vector<CellStatus> status;
   const auto work = [&](std::size_t begin, std::size_t count) -> Result<void> {
     const auto part = which.subspan(begin, count);
     status.assign(count, CellStatus::missing);
-    VORPIPE_TRY(ask.by_grid(tile, part, effort, status));
+    VORPIPE_TRY(ask.by_grid(tile, part, capacity, status));
     for (std::size_t e = 0; e < count; ++e) {
       hidden_ += status[e] == CellStatus::empty ? 1u : 0u;
       if (isDone(status[e])) continue;
@@ -213,13 +214,13 @@ Result<void> CellLadder::runLists(const Ask& ask) {
   if (!lists_) lists_.emplace(input_.sites, input_.threads);
   search_seconds_ += watch.seconds();
   const auto most = std::min<std::uint64_t>(FlannSearch::most_neighbors, input_.backend.info().max_lines);
-  const auto first = begins_large_ ? Effort::roomy : Effort::fast;
+  const auto first = begins_large_ ? Capacity::large : Capacity::small;
   Indices pending = on_device_;
   for (auto k = std::min<std::size_t>(static_cast<std::size_t>(input_.search.neighbors), most);; k *= 2) {
     VORPIPE_VAR(outcome, tryLists(pending, k, first, ask));
     if (!outcome.overflowed.empty()) {
       retried_ += outcome.overflowed.size();
-      VORPIPE_LET(again, tryLists(outcome.overflowed, k, Effort::roomy, ask));
+      VORPIPE_LET(again, tryLists(outcome.overflowed, k, Capacity::large, ask));
       outcome.unsecured.insert(outcome.unsecured.end(), again.unsecured.begin(), again.unsecured.end());
     }
     const bool helped = k < FlannSearch::usual_neighbors || 2 * outcome.unsecured.size() <= pending.size();
@@ -231,9 +232,10 @@ Result<void> CellLadder::runLists(const Ask& ask) {
   return {};
 }
 
-Result<CellLadder::Outcome> CellLadder::tryLists(Which which, std::size_t k, Effort effort, const Ask& ask) {
+Result<CellLadder::Outcome> CellLadder::tryLists(Which which, std::size_t k, Capacity capacity,
+                                                 const Ask& ask) {
   const auto& info = input_.backend.info();
-  const bool fast = effort == Effort::fast;
+  const bool fast = capacity == Capacity::small;
   const auto lines = std::min<std::uint64_t>(info.max_lines, lines_per_batch);
   const auto at_once = std::clamp<std::size_t>(lines / k, 1, info.max_entries);
   Outcome outcome;
@@ -244,7 +246,7 @@ Result<CellLadder::Outcome> CellLadder::tryLists(Which which, std::size_t k, Eff
     const auto candidates = lists_->neighbors(part, k);
     search_seconds_ += watch.seconds();
     status.assign(count, CellStatus::missing);
-    VORPIPE_TRY(ask.by_lists(candidates, effort, status));
+    VORPIPE_TRY(ask.by_lists(candidates, capacity, status));
     for (std::size_t e = 0; e < count; ++e) {
       if (isDone(status[e])) continue;
       const bool again = fast && status[e] == CellStatus::overflow;

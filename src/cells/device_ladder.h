@@ -2,8 +2,8 @@
 ///
 /// A device first clips a cell fast, then, if the cell overflows, with more room. With the grid it walks the
 /// bins, tile by tile if the sites do not fit. With lists it gets twice as many neighbors for cells that
-/// others might still cut. The judge (judge.h) finds the remaining cells and the crowded ones. It finds all
-/// of them if a sample, or the number of crowded sites, shows that the device would try in vain.
+/// others might still cut. The exact search (exact_search.h) finds the remaining cells and the crowded ones.
+/// It finds all of them if a sample, or the number of crowded sites, shows that the device would try in vain.
 #pragma once
 
 #include <algorithm>
@@ -15,8 +15,8 @@
 
 #include "backend/backend.h"
 #include "cells/bisectors.h"
+#include "cells/exact_search.h"
 #include "cells/flann_search.h"
-#include "cells/judge.h"
 #include "sites/tiles.h"
 
 namespace vorpipe::core {
@@ -24,7 +24,7 @@ namespace vorpipe::core {
 /// Which cells a device is asked to find.
 struct Triage {
   std::vector<std::uint32_t> inside;   ///< sites whose cells a device is asked to find, ascending
-  std::vector<std::uint32_t> outside;  ///< the others, ascending; the judge finds their cells
+  std::vector<std::uint32_t> outside;  ///< the others, ascending; the exact search finds their cells
 };
 
 /// Gives a device the sites inside the domain. A site outside may be so far from its cell that a float cannot
@@ -86,8 +86,8 @@ struct Sample {
     return failed * rest.size() / cells.size() / 2;
   }
 
-  /// Whether so few of the rest will succeed that the judge finds all of them sooner than a device tries
-  /// them.
+  /// Whether so few of the rest will succeed that the exact search finds all of them sooner than a device
+  /// tries them.
   [[nodiscard]] bool isHopeless(std::size_t failed) const { return 4 * failed > 3 * cells.size(); }
 
   /// Whether weights hide so many sites, given `hidden` in the sample, that triangulating all sites is
@@ -98,7 +98,7 @@ struct Sample {
 /// Inputs for finding cells; they all outlive the call.
 struct SearchInput {
   Backend& backend;
-  Judge& judge;  ///< of the same sites
+  ExactSearch& exact_search;  ///< of the same sites
   const SiteSet& sites;
   const SearchOptions& search;
   int threads;
@@ -117,10 +117,10 @@ class CellLadder {
   using Statuses = std::span<CellStatus>;
   /// Functions that ask the device about some cells and set one status for each: cells of a tile, by index in
   /// its sites, or of candidates. `overflow` requests more room, `unsecured` more candidates. Any other
-  /// status except certified and empty leaves the cell to the judge.
+  /// status except certified and empty leaves the cell to the exact search.
   struct Ask {
-    std::function<Result<void>(const Tile& tile, Which which, Effort effort, Statuses status)> by_grid;
-    std::function<Result<void>(const Candidates& candidates, Effort effort, Statuses status)> by_lists;
+    std::function<Result<void>(const Tile& tile, Which which, Capacity capacity, Statuses status)> by_grid;
+    std::function<Result<void>(const Candidates& candidates, Capacity capacity, Statuses status)> by_lists;
   };
 
   /// `upload` gives the backend its sites. With fewer than `worth_fast` sites, all cells have more room from
@@ -136,9 +136,9 @@ class CellLadder {
   /// Adds the remaining cells to `rows`, which hold all others.
   Result<void> findLeft(const std::vector<std::uint32_t>& which, NeighborRows& rows);
   /// Finds remaining cells if the others are unknown.
-  Result<CellResults> askJudge(std::vector<std::uint32_t> which);
+  Result<CellResults> askExactSearch(std::vector<std::uint32_t> which);
 
-  /// Adds to `report` how many cells took which path, and the times of the host search and the judge.
+  /// Adds to `report` how many cells took which path, and the times of the host search and the exact search.
   void describe(Report& report) const;
 
   [[nodiscard]] double judgeSeconds() const { return judge_seconds_; }
@@ -159,12 +159,12 @@ class CellLadder {
   Result<void> tryTile(const Tile& tile, const Ask& ask);
   Result<void> tryFast(const Tile& tile, Which which, const Ask& ask, Large& large);
   Result<void> retryLarge(const Tile& tile, const Ask& ask, Large& large);
-  Result<void> tryCells(const Tile& tile, Which which, Effort effort, const Ask& ask, Large& large);
+  Result<void> tryCells(const Tile& tile, Which which, Capacity capacity, const Ask& ask, Large& large);
   [[nodiscard]] bool areMany(std::size_t more) const;
   void defer(const Tile& tile, Which which);
 
   Result<void> runLists(const Ask& ask);
-  Result<Outcome> tryLists(Which which, std::size_t k, Effort effort, const Ask& ask);
+  Result<Outcome> tryLists(Which which, std::size_t k, Capacity capacity, const Ask& ask);
 
   SearchInput input_;
   Upload& upload_;

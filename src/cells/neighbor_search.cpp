@@ -77,11 +77,11 @@ class DeviceSearch {
   /// Whether the functions below returned an error because a site has no cell.
   [[nodiscard]] bool ended() const { return ended_; }
 
-  Result<void> byGrid(const Tile& tile, std::span<const std::uint32_t> which, Effort effort,
+  Result<void> byGrid(const Tile& tile, std::span<const std::uint32_t> which, Capacity capacity,
                       std::span<CellStatus> status) {
     VORPIPE_TRY(tryLikelyEmpty(tile));
     CellNeighbors found;
-    VORPIPE_TRY(askCells(input_.backend, tile.sites.size(), which, effort, input_.threads, found));
+    VORPIPE_TRY(askCells(input_.backend, tile.sites.size(), which, capacity, input_.threads, found));
     std::ranges::copy(found.status, status.begin());
     std::vector<std::uint32_t> whole;
     if (!tile.whole.empty()) {
@@ -98,7 +98,7 @@ class DeviceSearch {
     return {};
   }
 
-  /// Clips with the most room whatever the effort, and converts positions in lists to sites.
+  /// Clips with the most room whatever the capacity, and converts positions in lists to sites.
   Result<void> byLists(const Candidates& candidates, std::span<CellStatus> status) {
     const Stopwatch watch;
     packBatch(input_.sites, candidates, 0, candidates.site.size(), input_.threads, batch_);
@@ -127,7 +127,7 @@ class DeviceSearch {
     const auto likely = likelyEmpty(input_.sites, input_.threads);
     if (likely.empty()) return {};
     CellNeighbors found;
-    VORPIPE_TRY(askCells(input_.backend, tile.sites.size(), likely, Effort::fast, input_.threads, found));
+    VORPIPE_TRY(askCells(input_.backend, tile.sites.size(), likely, Capacity::small, input_.threads, found));
     return endIfEmpty(likely, found);
   }
 
@@ -168,10 +168,10 @@ Result<std::optional<NeighborRows>> findNeighbors(const SearchInput& input, AtEm
   CellLadder ladder(input, upload, 0);
   DeviceSearch device(input, at_empty, rows);
   if (input.sites.weight.empty() && areSnapped(input.sites)) ladder.choose({{}, allOf(input.sites)});
-  const auto left = ladder.run({[&](const Tile& tile, auto which, Effort effort, auto status) {
-                                  return device.byGrid(tile, which, effort, status);
+  const auto left = ladder.run({[&](const Tile& tile, auto which, Capacity capacity, auto status) {
+                                  return device.byGrid(tile, which, capacity, status);
                                 },
-                                [&](const Candidates& candidates, Effort, auto status) {
+                                [&](const Candidates& candidates, Capacity, auto status) {
                                   return device.byLists(candidates, status);
                                 }});
   if (device.ended()) return std::nullopt;
@@ -192,7 +192,7 @@ Result<std::optional<NeighborRows>> findNeighbors(const SearchInput& input, AtEm
 Result<void> findAgain(const SearchInput& input, const std::vector<std::uint32_t>& which, Precision precision,
                        NeighborRows& rows) {
   std::uint64_t exact = 0;
-  VORPIPE_VAR(found, input.judge.find(which, precision, input.threads, input.progress, exact));
+  VORPIPE_VAR(found, input.exact_search.find(which, precision, input.threads, input.progress, exact));
   rows.add(which, std::move(found));
   proveEmpty(input.sites, which, input.threads, rows);
   return {};
@@ -200,7 +200,7 @@ Result<void> findAgain(const SearchInput& input, const std::vector<std::uint32_t
 
 bool findAllInMesh(const SearchInput& input, NeighborRows& rows) {
   const auto all = allOf(input.sites);
-  if (!input.judge.findAmong(all, input.threads, rows)) return false;
+  if (!input.exact_search.findAmong(all, input.threads, rows)) return false;
   proveEmpty(input.sites, all, input.threads, rows);
   return true;
 }

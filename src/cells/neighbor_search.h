@@ -16,12 +16,13 @@ enum class AtEmpty : std::uint8_t { ignore, end };
 /// requested a stop.
 Result<std::optional<NeighborRows>> findNeighbors(const SearchInput& input, AtEmpty at_empty, Report& report);
 
-/// Has the judge find the cells of `which` (ascending) again, beginning with `precision`, and
+/// Has the exact search find the cells of `which` (ascending) again, beginning with `precision`, and
 /// replaces them.
 Result<void> findAgain(const SearchInput& input, const std::vector<std::uint32_t>& which, Precision precision,
                        NeighborRows& rows);
 
-/// Replaces all cells by those of the judge's mesh. Returns false and changes nothing if there is none.
+/// Replaces all cells by those of the exact search's mesh. Returns false and changes nothing if there is
+/// none.
 bool findAllInMesh(const SearchInput& input, NeighborRows& rows);
 
 }  // namespace vorpipe::core

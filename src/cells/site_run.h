@@ -7,7 +7,7 @@
 
 #include "backend/exact_tier.h"
 #include "base/try.h"
-#include "cells/judge.h"
+#include "cells/exact_search.h"
 #include "sites/site_set.h"
 
 namespace vorpipe::core {
@@ -35,13 +35,13 @@ inline void nameDevice(Backend& backend, Report& report) {
 /// The sites of a run, and the results so far about them. Cells and pictures share it.
 struct SiteRun {
   SiteRun(Prepared from, const Machine& machine)
-      : prepared(std::move(from)), mesh(prepared.set, machine.threads), judge(machine.exact, mesh) {}
+      : prepared(std::move(from)), mesh(prepared.set, machine.threads), exact_search(machine.exact, mesh) {}
   SiteRun(const SiteRun&) = delete;
   SiteRun& operator=(const SiteRun&) = delete;
 
   Prepared prepared;
   SiteMesh mesh;
-  Judge judge;
+  ExactSearch exact_search;
   /// The cells of all sites, by index in the set, once all are found and agree.
   std::optional<NeighborRows> cells{};
 };

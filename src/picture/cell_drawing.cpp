@@ -31,10 +31,10 @@ constexpr std::size_t worth_fast_pipeline = std::size_t{1} << 15;
 
 /// A large pipeline may draw what a small one does not; the fallback decides on cells without a shape.
 /// Unsecured cells of lists stay so: more candidates may help.
-void deferRest(Effort effort, bool are_lists, std::span<CellStatus> status) {
+void deferRest(Capacity capacity, bool are_lists, std::span<CellStatus> status) {
   for (auto& each : status) {
     if (each == CellStatus::certified || (are_lists && each == CellStatus::unsecured)) continue;
-    each = effort == Effort::fast ? CellStatus::overflow : CellStatus::open;
+    each = capacity == Capacity::small ? CellStatus::overflow : CellStatus::open;
   }
 }
 
@@ -68,8 +68,8 @@ CellDrawing::CellDrawing(const SearchInput& input, std::span<const std::uint8_t>
   }
 }
 
-/// Divides the cells between the device and the judge. A device that draws no triangles only finds the cells'
-/// statuses.
+/// Divides the cells between the device and the exact search. A device that draws no triangles only finds the
+/// cells' statuses.
 void CellDrawing::choose() {
   if (!before_.triage) before_.triage = sortOut(input_.sites, input_.threads);
   const Triage& all = *before_.triage;
@@ -93,7 +93,7 @@ Result<void> CellDrawing::draw(const View& view) {
     VORPIPE_TRY(drawByDevice(view));
   }
   if (!as_polygons_.empty()) {
-    const NeighborRows& cells = before_.known ? *before_.known : *before_.judged;
+    const NeighborRows& cells = before_.known ? *before_.known : *before_.found_exactly;
     VORPIPE_TRY(drawPolygons(input_, palette_index_, view, as_polygons_, cells, draw_seconds_));
   }
   return giveAll();
@@ -101,24 +101,24 @@ Result<void> CellDrawing::draw(const View& view) {
 
 /// Lets the device find and draw what it can.
 Result<void> CellDrawing::drawByDevice(const View& view) {
-  const auto by_grid = [&](const Tile&, auto which, Effort effort, auto status) -> Result<void> {
+  const auto by_grid = [&](const Tile&, auto which, Capacity capacity, auto status) -> Result<void> {
     const Stopwatch watch;
-    VORPIPE_TRY(askToDraw(input_.backend, which, effort, status));
+    VORPIPE_TRY(askToDraw(input_.backend, which, capacity, status));
     draw_seconds_ += watch.seconds();
-    deferRest(effort, false, status);
+    deferRest(capacity, false, status);
     return {};
   };
-  const auto by_lists = [&](const Candidates& candidates, Effort effort, auto status) {
-    return drawLists(view, candidates, effort, status);
+  const auto by_lists = [&](const Candidates& candidates, Capacity capacity, auto status) {
+    return drawLists(view, candidates, capacity, status);
   };
   VORPIPE_LET(left, ladder_.run({by_grid, by_lists}));
   as_polygons_.insert(as_polygons_.end(), left.begin(), left.end());
-  return judge(left);
+  return searchExactly(left);
 }
 
 /// Draws every entry of `candidates`, in as many batches as the device needs. A list that is longer than a
 /// batch stays missing. A cell so large that float rounding might visibly change it is unsecured.
-Result<void> CellDrawing::drawLists(const View& view, const Candidates& candidates, Effort effort,
+Result<void> CellDrawing::drawLists(const View& view, const Candidates& candidates, Capacity capacity,
                                     std::span<CellStatus> status) {
   const auto& info = input_.backend.info();
   const auto entries = candidates.site.size();
@@ -135,14 +135,14 @@ Result<void> CellDrawing::drawLists(const View& view, const Candidates& candidat
     packBatch(input_.sites, candidates, begin, end, input_.threads, batch_);
     boundReach(lossAllowed(view, info.subpixel_bits), input_.threads, batch_);
     const auto count = end - begin;
-    VORPIPE_TRY(drawBatch(view, std::span(candidates.site).subspan(begin, count), effort,
+    VORPIPE_TRY(drawBatch(view, std::span(candidates.site).subspan(begin, count), capacity,
                           status.subspan(begin, count)));
   }
-  deferRest(effort, true, status);
+  deferRest(capacity, true, status);
   return {};
 }
 
-Result<void> CellDrawing::drawBatch(const View& view, std::span<const std::uint32_t> site, Effort effort,
+Result<void> CellDrawing::drawBatch(const View& view, std::span<const std::uint32_t> site, Capacity capacity,
                                     std::span<CellStatus> status) {
   const auto& box = view.box;
   const Point center{0.5 * (box.xmin + box.xmax), 0.5 * (box.ymin + box.ymax)};
@@ -157,28 +157,28 @@ Result<void> CellDrawing::drawBatch(const View& view, std::span<const std::uint3
     }
   });
   const Stopwatch watch;
-  VORPIPE_TRY(askToDraw(input_.backend, batch_, marks_, effort, status));
+  VORPIPE_TRY(askToDraw(input_.backend, batch_, marks_, capacity, status));
   draw_seconds_ += watch.seconds();
   return {};
 }
 
 Result<void> CellDrawing::findStatuses() {
-  return before_.known ? Result<void>{} : judge(before_.triage->outside);
+  return before_.known ? Result<void>{} : searchExactly(before_.triage->outside);
 }
 
-/// Finds the cells among these that the judge has not found yet.
-Result<void> CellDrawing::judge(std::span<const std::uint32_t> which) {
+/// Finds the cells among these that the exact search has not found yet.
+Result<void> CellDrawing::searchExactly(std::span<const std::uint32_t> which) {
   if (which.empty()) return {};
-  auto& rows = before_.judged;
+  auto& rows = before_.found_exactly;
   if (!rows) rows.emplace(input_.sites.size(), input_.threads);
   std::vector<std::uint32_t> open;
   std::ranges::copy_if(which, std::back_inserter(open),
                        [&](std::uint32_t site) { return !isDone(rows->status(site)); });
-  VORPIPE_VAR(judged, ladder_.askJudge(std::move(open)));
-  for (std::size_t e = 0; e < judged.which.size(); ++e) {
-    before_.status[judged.which[e]] = judged.found.status(e);
+  VORPIPE_VAR(found_exactly, ladder_.askExactSearch(std::move(open)));
+  for (std::size_t e = 0; e < found_exactly.which.size(); ++e) {
+    before_.status[found_exactly.which[e]] = found_exactly.found.status(e);
   }
-  rows->add(judged.which, std::move(judged.found));
+  rows->add(found_exactly.which, std::move(found_exactly.found));
   return {};
 }
 

@@ -20,8 +20,9 @@ struct DrawnBefore {
   /// All cells, by index in the set, if they were known before any drawing.
   std::optional<NeighborRows> known{};
   std::optional<Triage> triage{};
-  std::optional<NeighborRows> judged{};  ///< results of the judge, by index in the set; `missing`: not asked
-  std::vector<CellStatus> status{};      ///< certified or empty, by index in the set
+  std::optional<NeighborRows>
+      found_exactly{};  ///< results of the exact search, by index in the set; `missing`: not asked
+  std::vector<CellStatus> status{};  ///< certified or empty, by index in the set
   HeldSites held{};
   bool done = false;  ///< a drawing of all cells has finished
 };
@@ -34,8 +35,8 @@ struct WhatToDraw {
   bool by_device = true;  ///< floats can distinguish the view's pixels
 };
 
-/// Draws known cells as polygons. Otherwise the device finds and draws what it can. The judge finds the rest,
-/// which are then drawn as known cells. The order of drawing depends only on the sites.
+/// Draws known cells as polygons. Otherwise the device finds and draws what it can. The exact search finds
+/// the rest, which are then drawn as known cells. The order of drawing depends only on the sites.
 class CellDrawing {
  public:
   /// `palette_index` is by index in the set; all of it outlives this.
@@ -59,11 +60,11 @@ class CellDrawing {
   void choose();
   Result<void> giveAll();
   Result<void> drawByDevice(const View& view);
-  Result<void> drawLists(const View& view, const Candidates& candidates, Effort effort,
+  Result<void> drawLists(const View& view, const Candidates& candidates, Capacity capacity,
                          std::span<CellStatus> status);
-  Result<void> drawBatch(const View& view, std::span<const std::uint32_t> site, Effort effort,
+  Result<void> drawBatch(const View& view, std::span<const std::uint32_t> site, Capacity capacity,
                          std::span<CellStatus> status);
-  Result<void> judge(std::span<const std::uint32_t> which);
+  Result<void> searchExactly(std::span<const std::uint32_t> which);
 
   SearchInput input_;
   std::span<const std::uint8_t> palette_index_;

@@ -18,7 +18,7 @@ namespace vorpipe::core {
 namespace {
 
 constexpr std::size_t uncovered_grain = std::size_t{1} << 16;
-/// Number of pixels per query to the judge: a device may have covered none.
+/// Number of pixels per query to the exact search: a device may have covered none.
 constexpr std::size_t uncovered_at_once = std::size_t{1} << 20;
 
 bool areAllCovered(const NearestSites& nearest, std::span<const std::uint32_t> ids) {
@@ -94,7 +94,7 @@ std::uint64_t coverRest(const NearestSites& nearest, const View& view, std::span
       if (ids[next] >= nearest.ids) pixels.push_back(static_cast<std::uint32_t>(next));
     }
     sites.resize(pixels.size());
-    nearest.judge.nearest(view, pixels, sites);
+    nearest.exact_search.nearest(view, pixels, sites);
     for (std::size_t k = 0; k < pixels.size(); ++k) {
       const bool none = sites[k] == no_site;
       ids[pixels[k]] = none ? no_site : nearest.sites.id[sites[k]];
@@ -186,7 +186,7 @@ SampleDrawing::SampleDrawing(const Machine& machine, const NearestSites& nearest
       palette_(palette),
       kept_(kept),
       all_(shownPart(kept.found.scene, options_, kept.found.run->prepared.exponent)),
-      drawing_({machine.backend, kept.found.run->judge, kept.found.run->prepared.set, options.search,
+      drawing_({machine.backend, kept.found.run->exact_search, kept.found.run->prepared.set, options.search,
                 machine.threads, options.progress},
                kept.colors->index, whatToDraw(kept.found.run->prepared.set, options_, all_), kept.before) {}
 

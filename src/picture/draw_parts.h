@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <span>
 
-#include "cells/judge.h"
+#include "cells/exact_search.h"
 #include "picture/kept_picture.h"
 #include "sites/images.h"
 
@@ -12,7 +12,7 @@ namespace vorpipe::core {
 
 /// The data that fills pixels without a site; all of it outlives this.
 struct NearestSites {
-  Judge& judge;
+  ExactSearch& exact_search;
   const SiteSet& sites;
   std::span<const std::uint8_t> palette_index;  ///< by index in the set
   std::uint64_t ids;                            ///< ids of sites are less than this

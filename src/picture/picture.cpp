@@ -132,9 +132,11 @@ Result<Rendering> renderKept(const Machine& machine, const Sites& sites, const R
   WhatToDraw what = whatToDraw(set, options, shown);
   report.time_ms.order += 1e3 * order_watch.seconds();
 
-  CellDrawing drawing({machine.backend, run->judge, set, options.search, machine.threads, options.progress},
-                      palette_indices, std::move(what), kept.before);
-  const NearestSites nearest{run->judge, set, palette_indices, scene.sitesOr(sites).size(), machine.threads};
+  CellDrawing drawing(
+      {machine.backend, run->exact_search, set, options.search, machine.threads, options.progress},
+      palette_indices, std::move(what), kept.before);
+  const NearestSites nearest{run->exact_search, set, palette_indices, scene.sitesOr(sites).size(),
+                             machine.threads};
   const auto room = static_cast<std::size_t>(options.width) * static_cast<std::size_t>(options.height);
   VORPIPE_VAR(picture, drawParts(machine.backend, drawing, nearest, shown, palette, room));
   rendering.image = std::move(picture.image);

@@ -52,7 +52,7 @@ Result<void> drawShapes(Backend& backend, int first, std::vector<int>& heights) 
   const View view{{0, 0, side, side}, side, side, {}};
   VORPIPE_TRY(backend.begin(view));
   std::vector<CellStatus> status(shapes);
-  VORPIPE_TRY(backend.draw(shapesFrom(first), marksOf(), Effort::fast, status));
+  VORPIPE_TRY(backend.draw(shapesFrom(first), marksOf(), Capacity::small, status));
   std::vector<std::uint32_t> rgba(std::size_t{side} * side), ids(rgba.size());
   VORPIPE_TRY(backend.read(rgba, ids));
   for (int k = 0; k < shapes; k++) {

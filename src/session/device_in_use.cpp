@@ -140,9 +140,10 @@ Result<void> BoundedBackend::upload(const SiteSet& sites, std::span<const std::u
   return call(Call::upload, [&] { return ForwardingBackend::upload(sites, palette_index); });
 }
 
-Result<void> BoundedBackend::cells(std::span<const std::uint32_t> which, Effort effort, CellNeighbors& out) {
+Result<void> BoundedBackend::cells(std::span<const std::uint32_t> which, Capacity capacity,
+                                   CellNeighbors& out) {
   given_.entries = which.size();
-  return call(Call::clip, [&] { return ForwardingBackend::cells(which, effort, out); });
+  return call(Call::clip, [&] { return ForwardingBackend::cells(which, capacity, out); });
 }
 
 Result<void> BoundedBackend::cells(const CellBatch<double>& batch, CellNeighbors& out) {
@@ -156,17 +157,17 @@ Result<void> BoundedBackend::begin(const View& view) {
   return call(Call::picture, [&] { return ForwardingBackend::begin(view); });
 }
 
-Result<void> BoundedBackend::draw(std::span<const std::uint32_t> which, Effort effort,
+Result<void> BoundedBackend::draw(std::span<const std::uint32_t> which, Capacity capacity,
                                   std::span<CellStatus> status) {
   given_.entries = which.size();
-  return call(Call::clip, [&] { return ForwardingBackend::draw(which, effort, status); });
+  return call(Call::clip, [&] { return ForwardingBackend::draw(which, capacity, status); });
 }
 
 Result<void> BoundedBackend::draw(const CellBatch<float>& batch, std::span<const DrawMark> marks,
-                                  Effort effort, std::span<CellStatus> status) {
+                                  Capacity capacity, std::span<CellStatus> status) {
   given_.entries = batch.entries.size();
   given_.lines = batch.lines.size();
-  return call(Call::clip, [&] { return ForwardingBackend::draw(batch, marks, effort, status); });
+  return call(Call::clip, [&] { return ForwardingBackend::draw(batch, marks, capacity, status); });
 }
 
 Result<void> BoundedBackend::drawTriangles(std::span<const DrawMark> corners,

@@ -22,7 +22,7 @@ namespace {
 
 constexpr std::size_t site_set_grain = 1 << 16;
 /// In scaled units. For sites farther apart, products of distances are in the range of double, and the
-/// judge's numbers have enough digits for the points where their bisectors meet.
+/// exact_search's numbers have enough digits for the points where their bisectors meet.
 constexpr double least_distance = 0x1p-80;
 /// From this size on, two different doubles are farther apart than the least distance.
 constexpr double resolved = least_distance * 0x1p54;

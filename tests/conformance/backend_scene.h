@@ -116,11 +116,11 @@ inline Image read(Backend& backend, const View& view) {
 }
 
 /// Returns those of `drawn` that need more room; all others must be certified.
-inline std::vector<std::uint32_t> overflown(const std::vector<std::uint32_t>& drawn, Effort effort,
+inline std::vector<std::uint32_t> overflown(const std::vector<std::uint32_t>& drawn, Capacity capacity,
                                             const std::vector<CellStatus>& status) {
   std::vector<std::uint32_t> again;
   for (std::size_t k = 0; k < status.size(); k++) {
-    if (status[k] == CellStatus::overflow && effort == Effort::fast) {
+    if (status[k] == CellStatus::overflow && capacity == Capacity::small) {
       again.push_back(drawn[k]);
     } else {
       EXPECT_EQ(status[k], CellStatus::certified) << "entry " << drawn[k];
@@ -131,7 +131,7 @@ inline std::vector<std::uint32_t> overflown(const std::vector<std::uint32_t>& dr
 
 /// Draws some of the scene's lists. Returns those that need more room.
 inline std::vector<std::uint32_t> drawLists(Backend& backend, const Scene& scene,
-                                            const std::vector<std::uint32_t>& chosen, Effort effort) {
+                                            const std::vector<std::uint32_t>& chosen, Capacity capacity) {
   CellBatch<float> batch = toFloat(scene.batch);
   std::vector<CellBatch<float>::Entry> entries;
   std::vector<DrawMark> marks;
@@ -141,18 +141,18 @@ inline std::vector<std::uint32_t> drawLists(Backend& backend, const Scene& scene
   }
   batch.entries = std::move(entries);
   std::vector<CellStatus> status(chosen.size());
-  const Result<void> done = backend.draw(batch, marks, effort, status);
+  const Result<void> done = backend.draw(batch, marks, capacity, status);
   EXPECT_TRUE(done.has_value()) << done.error().message;
-  return overflown(chosen, effort, status);
+  return overflown(chosen, capacity, status);
 }
 
 /// Draws some of the sites that were uploaded. Returns those that need more room.
 inline std::vector<std::uint32_t> drawSites(Backend& backend, const std::vector<std::uint32_t>& chosen,
-                                            Effort effort) {
+                                            Capacity capacity) {
   std::vector<CellStatus> status(chosen.size());
-  const Result<void> done = backend.draw(chosen, effort, status);
+  const Result<void> done = backend.draw(chosen, capacity, status);
   EXPECT_TRUE(done.has_value()) << done.error().message;
-  return overflown(chosen, effort, status);
+  return overflown(chosen, capacity, status);
 }
 
 /// Checks that all pixels belong to a nearest site and have its color.

@@ -21,13 +21,13 @@ namespace {
 constexpr std::uint64_t seed = 20261121;
 
 /// A data set with its exact cells, made once for all tests of a process.
-struct Judged {
+struct FoundExactly {
   DataSet set;
   ExactCells exact;
 };
 
-const Judged& judged(std::string_view name, std::uint64_t n) {
-  static std::map<std::pair<std::string, std::uint64_t>, Judged> known;
+const FoundExactly& judged(std::string_view name, std::uint64_t n) {
+  static std::map<std::pair<std::string, std::uint64_t>, FoundExactly> known;
   const auto [place, fresh] = known.try_emplace({std::string(name), n});
   if (fresh) {
     place->second.set = makeDataSet(place->first.first, n, seed);

@@ -105,12 +105,12 @@ TEST_P(OfSites, GiveTheSameCells) {
     const SiteSet set = prepared(generate(GetParam(), count, 3));
     ASSERT_TRUE(host_->upload(set, {}).has_value());
     ASSERT_TRUE(device_->upload(set, {}).has_value());
-    for (const Effort effort : {Effort::fast, Effort::roomy}) {
+    for (const Capacity capacity : {Capacity::small, Capacity::large}) {
       CellNeighbors by_host;
       CellNeighbors by_device;
       const auto all = range(0, set.size());
-      ASSERT_TRUE(host_->cells(all, effort, by_host).has_value());
-      ASSERT_TRUE(device_->cells(all, effort, by_device).has_value());
+      ASSERT_TRUE(host_->cells(all, capacity, by_host).has_value());
+      ASSERT_TRUE(device_->cells(all, capacity, by_device).has_value());
       EXPECT_GT(std::ranges::count(by_device.status, CellStatus::certified), std::ssize(set.x) / 2);
       EXPECT_LE(differingStatuses(by_host, by_device), set.size() / 5000);
     }
@@ -129,7 +129,7 @@ TEST_P(OfSites, GiveTheSamePicture) {
     ASSERT_TRUE(backend->upload(set, palette_index).has_value());
     ASSERT_TRUE(backend->begin(view).has_value());
     std::vector<CellStatus> status(set.size());
-    ASSERT_TRUE(backend->draw(range(0, set.size()), Effort::roomy, status).has_value());
+    ASSERT_TRUE(backend->draw(range(0, set.size()), Capacity::large, status).has_value());
     pictures.push_back(read(*backend, view));
     statuses.push_back(std::move(status));
   }
@@ -149,12 +149,12 @@ TEST(ComputeBackend, FindsCellsAfterDrawingLists) {
   const Scene scene = makeScene(200);
   ASSERT_TRUE(backend->upload(scene.set, scene.palette_index).has_value());
   CellNeighbors before;
-  ASSERT_TRUE(backend->cells(range(0, 200), Effort::roomy, before).has_value());
+  ASSERT_TRUE(backend->cells(range(0, 200), Capacity::large, before).has_value());
   ASSERT_TRUE(backend->begin(makeView(64, 64)).has_value());
-  drawSites(*backend, range(0, 200), Effort::fast);
-  drawLists(*backend, scene, range(0, 200), Effort::roomy);
+  drawSites(*backend, range(0, 200), Capacity::small);
+  drawLists(*backend, scene, range(0, 200), Capacity::large);
   CellNeighbors after;
-  ASSERT_TRUE(backend->cells(range(0, 200), Effort::roomy, after).has_value());
+  ASSERT_TRUE(backend->cells(range(0, 200), Capacity::large, after).has_value());
   EXPECT_EQ(before.status, after.status);
   EXPECT_EQ(before.neighbor, after.neighbor);
   EXPECT_EQ(backend->validationMessages(), std::vector<std::string>());
@@ -169,7 +169,7 @@ TEST(ComputeBackend, TakesItsSitesFromTheStorageRangeWhereTheDevicePlacesThem) {
   const SiteSet set = prepared(generate(Pattern::random, 256, 7));
   ASSERT_TRUE(backend->upload(set, {}).has_value());
   CellNeighbors cells;
-  ASSERT_TRUE(backend->cells(range(0, 128), Effort::roomy, cells).has_value());
+  ASSERT_TRUE(backend->cells(range(0, 128), Capacity::large, cells).has_value());
   EXPECT_EQ(cells.status, std::vector(128, CellStatus::certified));
   EXPECT_EQ(backend->validationMessages(), std::vector<std::string>());
 }

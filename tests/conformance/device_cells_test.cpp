@@ -80,13 +80,13 @@ void expectListsToTile(Backend& backend, const Scene& scene) {
 }
 
 // The cells of sites, asked for in as many calls as the device's limits ask for.
-CellNeighbors cellsInCalls(Backend& backend, std::span<const std::uint32_t> which, Effort effort) {
+CellNeighbors cellsInCalls(Backend& backend, std::span<const std::uint32_t> which, Capacity capacity) {
   CellNeighbors all;
   all.offsets.push_back(0);
   for (std::size_t begin = 0; begin < which.size(); begin += backend.info().max_entries) {
     const std::size_t count = std::min<std::size_t>(backend.info().max_entries, which.size() - begin);
     CellNeighbors part;
-    const Result<void> done = backend.cells(which.subspan(begin, count), effort, part);
+    const Result<void> done = backend.cells(which.subspan(begin, count), capacity, part);
     EXPECT_TRUE(done.has_value()) << done.error().message;
     all.status.insert(all.status.end(), part.status.begin(), part.status.end());
     for (std::size_t k = 0; k < count; k++) all.offsets.push_back(all.neighbor.size() + part.offsets[k + 1]);
@@ -102,8 +102,8 @@ void expectSitesToTile(Backend& backend, const Scene& scene) {
   std::set<std::pair<std::size_t, std::int32_t>> edges;
   double area = 0;
   auto wanted = range(0, set.size());
-  for (const Effort effort : {Effort::fast, Effort::roomy}) {
-    const CellNeighbors cells = cellsInCalls(backend, wanted, effort);
+  for (const Capacity capacity : {Capacity::small, Capacity::large}) {
+    const CellNeighbors cells = cellsInCalls(backend, wanted, capacity);
     ASSERT_EQ(cells.status.size(), wanted.size());
     ASSERT_EQ(cells.offsets.size(), wanted.size() + 1);
     expectRowsFromSmallest(cells);
@@ -118,7 +118,7 @@ void expectSitesToTile(Backend& backend, const Scene& scene) {
         return HalfPlane<double>{dx / distance, dy / distance, distance / 2, 0};
       });
     }
-    wanted = overflown(wanted, effort, cells.status);
+    wanted = overflown(wanted, capacity, cells.status);
   }
   EXPECT_NEAR(area, 1.0, 1e-6);
   for (const auto& [site, other] : edges) {
@@ -160,16 +160,16 @@ TEST(DeviceCells, ComeInTheOrderAskedFor) {
   const Scene scene = makeScene(200);
   ASSERT_TRUE(backend->upload(scene.set, {}).has_value());
   CellNeighbors all;
-  ASSERT_TRUE(backend->cells(range(0, 200), Effort::roomy, all).has_value());
+  ASSERT_TRUE(backend->cells(range(0, 200), Capacity::large, all).has_value());
   const std::vector<std::uint32_t> wanted = {150, 3, 199, 0, 3};
   CellNeighbors some;
-  ASSERT_TRUE(backend->cells(wanted, Effort::roomy, some).has_value());
+  ASSERT_TRUE(backend->cells(wanted, Capacity::large, some).has_value());
   ASSERT_EQ(some.status.size(), wanted.size());
   for (std::size_t k = 0; k < wanted.size(); k++) {
     const auto expected = neighborsOf(all, wanted[k]);
     EXPECT_TRUE(std::ranges::equal(neighborsOf(some, k), expected)) << "entry " << k;
   }
-  ASSERT_TRUE(backend->cells(std::span<const std::uint32_t>{}, Effort::fast, some).has_value());
+  ASSERT_TRUE(backend->cells(std::span<const std::uint32_t>{}, Capacity::small, some).has_value());
   EXPECT_TRUE(some.status.empty() && some.neighbor.empty());
   EXPECT_EQ(some.offsets, BigVector<std::uint64_t>{0});
 }
@@ -182,7 +182,7 @@ TEST(DeviceCells, AreUnsecuredWhereUnknownSitesMayCut) {
   scene.set.coverage = {0.25, 0.25, 0.75, 0.75};
   ASSERT_TRUE(backend->upload(scene.set, {}).has_value());
   CellNeighbors cells;
-  ASSERT_TRUE(backend->cells(range(0, 400), Effort::roomy, cells).has_value());
+  ASSERT_TRUE(backend->cells(range(0, 400), Capacity::large, cells).has_value());
   int certified = 0;
   for (std::size_t i = 0; i < 400; i++) {
     const double x = std::abs(scene.set.x[i] - 0.5);
@@ -208,7 +208,7 @@ TEST(DeviceCells, OfSitesThatFloatsCannotTellApartAreNotCertified) {
   ASSERT_EQ(set.size(), 52U);
   ASSERT_TRUE(backend->upload(set, {}).has_value());
   CellNeighbors cells;
-  ASSERT_TRUE(backend->cells(range(0, 52), Effort::roomy, cells).has_value());
+  ASSERT_TRUE(backend->cells(range(0, 52), Capacity::large, cells).has_value());
   for (std::size_t k = 0; k < 52; k++) {
     EXPECT_EQ(cells.status[k] == CellStatus::certified, set.id[k] < 50) << "site " << set.id[k];
   }
@@ -226,7 +226,7 @@ TEST(DeviceCells, GiveUpInACrowd) {
   const SiteSet set = prepared(sites);
   ASSERT_TRUE(backend->upload(set, {}).has_value());
   CellNeighbors cells;
-  ASSERT_TRUE(backend->cells(range(0, 100), Effort::fast, cells).has_value());
+  ASSERT_TRUE(backend->cells(range(0, 100), Capacity::small, cells).has_value());
   for (std::size_t k = 1; k < 100; k++) EXPECT_EQ(cells.status[k], CellStatus::unsecured) << "site " << k;
 }
 
@@ -237,7 +237,7 @@ TEST(DeviceCells, DoNotDependOnTheNumberOfThreads) {
     const auto backend = openBackend({}, threads);
     ASSERT_TRUE(backend);
     ASSERT_TRUE(backend->upload(set, {}).has_value());
-    ASSERT_TRUE(backend->cells(range(0, set.size()), Effort::fast, found.emplace_back()).has_value());
+    ASSERT_TRUE(backend->cells(range(0, set.size()), Capacity::small, found.emplace_back()).has_value());
   }
   for (const CellNeighbors& cells : found) {
     EXPECT_EQ(cells.status, found[0].status);

@@ -13,10 +13,10 @@ TEST(DevicePicture, OfListsShowsNearestSites) {
   const Scene scene = makeScene(300);
   const View view = makeView(501, 333);
   ASSERT_TRUE(backend->begin(view).has_value());
-  const auto again = drawLists(*backend, scene, range(0, 200), Effort::fast);
+  const auto again = drawLists(*backend, scene, range(0, 200), Capacity::small);
   EXPECT_LT(again.size(), 20U);
-  drawLists(*backend, scene, range(200, 300), Effort::roomy);
-  drawLists(*backend, scene, again, Effort::roomy);
+  drawLists(*backend, scene, range(200, 300), Capacity::large);
+  drawLists(*backend, scene, again, Capacity::large);
   expectPicture(read(*backend, view), scene, view);
   EXPECT_EQ(backend->validationMessages(), std::vector<std::string>());
 }
@@ -29,9 +29,9 @@ TEST(DevicePicture, OfSitesShowsNearestSites) {
     const View view = makeView(501, 333);
     ASSERT_TRUE(backend->upload(scene.set, scene.palette_index).has_value());
     ASSERT_TRUE(backend->begin(view).has_value());
-    const auto again = drawSites(*backend, range(0, count / 2), Effort::fast);
-    drawSites(*backend, again, Effort::roomy);
-    drawSites(*backend, range(count / 2, count), Effort::roomy);
+    const auto again = drawSites(*backend, range(0, count / 2), Capacity::small);
+    drawSites(*backend, again, Capacity::large);
+    drawSites(*backend, range(count / 2, count), Capacity::large);
     expectPicture(read(*backend, view), scene, view);
   }
   EXPECT_EQ(backend->validationMessages(), std::vector<std::string>());
@@ -49,9 +49,9 @@ TEST(DevicePicture, OfSitesElsewhereShowsNearestSites) {
   ASSERT_TRUE(backend->upload(set, std::vector<std::uint8_t>(set.size())).has_value());
   ASSERT_TRUE(backend->begin(view).has_value());
   auto left = range(0, set.size());
-  for (const Effort effort : {Effort::fast, Effort::roomy}) {
+  for (const Capacity capacity : {Capacity::small, Capacity::large}) {
     std::vector<CellStatus> status(left.size());
-    ASSERT_TRUE(backend->draw(left, effort, status).has_value());
+    ASSERT_TRUE(backend->draw(left, capacity, status).has_value());
     std::erase_if(left, [&, k = std::size_t{0}](std::uint32_t) mutable {
       const CellStatus was = status[k++];
       return was == CellStatus::certified || was == CellStatus::empty;
@@ -70,7 +70,7 @@ TEST(DevicePicture, OfAPartIsThatPartOfTheWhole) {
   for (const View& view : {makeView(512, 512), part}) {
     ASSERT_TRUE(backend->begin(view).has_value());
     ASSERT_TRUE(backend->upload(scene.set, scene.palette_index).has_value());
-    drawSites(*backend, range(0, 100), Effort::roomy);
+    drawSites(*backend, range(0, 100), Capacity::large);
     images.push_back(read(*backend, view));
   }
   int differing = 0;
@@ -92,7 +92,7 @@ TEST(DevicePicture, BeginsAnewAndInAnotherSize) {
     const View view = makeView(size, size);
     ASSERT_TRUE(backend->begin(view).has_value());
     for (const std::uint32_t id : read(*backend, view).ids) ASSERT_EQ(id, no_site);
-    drawLists(*backend, scene, range(0, 20), Effort::roomy);
+    drawLists(*backend, scene, range(0, 20), Capacity::large);
     pictures.push_back(read(*backend, view));
   }
   EXPECT_EQ(pictures[0].ids, pictures[2].ids);
@@ -122,13 +122,13 @@ TEST(DevicePicture, AnswersEachEntryWithItsOwnStatus) {
   }
   const std::vector<DrawMark> marks(4, DrawMark{0, 0, 1, 1});
   std::vector<CellStatus> status(4);
-  ASSERT_TRUE(backend->draw(batch, marks, Effort::fast, status).has_value());
+  ASSERT_TRUE(backend->draw(batch, marks, Capacity::small, status).has_value());
   EXPECT_EQ(status, (std::vector{CellStatus::certified, CellStatus::empty, CellStatus::unsecured,
                                  CellStatus::overflow}));
-  ASSERT_TRUE(backend->draw(batch, marks, Effort::roomy, status).has_value());
+  ASSERT_TRUE(backend->draw(batch, marks, Capacity::large, status).has_value());
   EXPECT_EQ(status[3], CellStatus::certified);
-  EXPECT_TRUE(backend->draw(CellBatch<float>{}, {}, Effort::fast, {}).has_value());
-  EXPECT_TRUE(backend->draw(std::span<const std::uint32_t>{}, Effort::fast, {}).has_value());
+  EXPECT_TRUE(backend->draw(CellBatch<float>{}, {}, Capacity::small, {}).has_value());
+  EXPECT_TRUE(backend->draw(std::span<const std::uint32_t>{}, Capacity::small, {}).has_value());
   EXPECT_EQ(backend->validationMessages(), std::vector<std::string>());
 }
 
@@ -143,7 +143,7 @@ TEST(DevicePicture, DoesNotDependOnTheNumberOfThreads) {
     ASSERT_TRUE(backend->upload(set, std::vector<std::uint8_t>(set.size(), 9)).has_value());
     ASSERT_TRUE(backend->begin(view).has_value());
     std::vector<CellStatus> status(set.size());
-    ASSERT_TRUE(backend->draw(range(0, set.size()), Effort::fast, status).has_value());
+    ASSERT_TRUE(backend->draw(range(0, set.size()), Capacity::small, status).has_value());
     images.push_back(read(*backend, view));
   }
   for (const Image& image : images) {

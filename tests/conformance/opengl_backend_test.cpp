@@ -50,7 +50,7 @@ TEST(OpenGlBackend, AnswersEveryEntryOfALargeBatch) {
     marks.push_back({0, 0, k, 0});
   }
   std::vector<CellStatus> status(count);
-  const Result<void> done = backend->draw(batch, marks, Effort::roomy, status);
+  const Result<void> done = backend->draw(batch, marks, Capacity::large, status);
   ASSERT_TRUE(done.has_value()) << done.error().message;
   for (std::size_t k = 0; k < count; k++) {
     ASSERT_EQ(status[k], k % 3 == 0 ? CellStatus::unsecured : CellStatus::certified) << "entry " << k;
@@ -66,10 +66,10 @@ TEST(OpenGlBackend, LeavesTheThreadWithTheContextThatWasCurrent) {
   const Scene scene = makeScene(20);
   const View view = makeView(64, 64);
   for (Backend* backend : {first.get(), second.get()}) ASSERT_TRUE(backend->begin(view).has_value());
-  drawLists(*first, scene, range(0, 20), Effort::roomy);
+  drawLists(*first, scene, range(0, 20), Capacity::large);
   EXPECT_EQ(eglGetCurrentContext(), EGL_NO_CONTEXT);
   for (const std::uint32_t id : read(*second, view).ids) ASSERT_EQ(id, no_site);
-  drawLists(*second, scene, range(0, 20), Effort::roomy);
+  drawLists(*second, scene, range(0, 20), Capacity::large);
   EXPECT_EQ(read(*first, view).ids, read(*second, view).ids);
 }
 

@@ -36,11 +36,11 @@ Result<Answers> work(const Scene& scene) {
   const auto done =
       backend.upload(scene.set, scene.palette_index)
           .and_then([&] { return backend.begin(makeView(32, 32)); })
-          .and_then([&] { return backend.draw(all, Effort::fast, status); })
-          .and_then([&] { return backend.draw(toFloat(scene.batch), scene.marks, Effort::fast, status); })
+          .and_then([&] { return backend.draw(all, Capacity::small, status); })
+          .and_then([&] { return backend.draw(toFloat(scene.batch), scene.marks, Capacity::small, status); })
           .and_then([&] { return backend.read(rgba, answers.ids); })
           .and_then([&] { return backend.cells(scene.batch, answers.of_lists); })
-          .and_then([&] { return backend.cells(all, Effort::fast, answers.of_sites); });
+          .and_then([&] { return backend.cells(all, Capacity::small, answers.of_sites); });
   if (!done) return tl::unexpected(done.error());
   return answers;
 }

@@ -23,7 +23,7 @@ class Device final : public Backend {
     uploads_.push_back(sites.id);
     return {};
   }
-  Result<void> cells(std::span<const std::uint32_t> which, Effort, CellNeighbors& out) override {
+  Result<void> cells(std::span<const std::uint32_t> which, Capacity, CellNeighbors& out) override {
     out.status.resize(which.size());
     std::transform(which.begin(), which.end(), out.status.begin(), [&](auto site) { return of(site); });
     out.offsets.assign(which.size() + 1, 0);
@@ -35,11 +35,11 @@ class Device final : public Backend {
     return {};
   }
   Result<void> begin(const View&) override { return {}; }
-  Result<void> draw(std::span<const std::uint32_t> which, Effort, std::span<CellStatus> status) override {
+  Result<void> draw(std::span<const std::uint32_t> which, Capacity, std::span<CellStatus> status) override {
     std::transform(which.begin(), which.end(), status.begin(), [&](auto site) { return of(site); });
     return {};
   }
-  Result<void> draw(const CellBatch<float>&, std::span<const DrawMark>, Effort,
+  Result<void> draw(const CellBatch<float>&, std::span<const DrawMark>, Capacity,
                     std::span<CellStatus> status) override {
     std::fill(status.begin(), status.end(), CellStatus::certified);
     return {};
@@ -77,7 +77,7 @@ class DevicePoolTest : public ::testing::Test {
     batch.entries.resize(enough_for_two);
     std::vector<CellStatus> status(enough_for_two);
     const std::vector<DrawMark> marks(enough_for_two);
-    ASSERT_TRUE(devices->draw(batch, marks, Effort::roomy, status));
+    ASSERT_TRUE(devices->draw(batch, marks, Capacity::large, status));
   }
 
   Uploads first, second;
@@ -105,10 +105,10 @@ TEST_F(DevicePoolTest, EachHasTheSitesOfTheLastUploadWhenAsked) {
     const auto sites = sitesFrom(first_id);
     ASSERT_TRUE(devices->upload(sites, {}));
     CellNeighbors found;
-    ASSERT_TRUE(devices->cells(which, Effort::fast, found));
+    ASSERT_TRUE(devices->cells(which, Capacity::small, found));
     EXPECT_EQ(found.status, all_certified);
     std::vector<CellStatus> status(enough_for_two);
-    ASSERT_TRUE(devices->draw(which, Effort::fast, status));
+    ASSERT_TRUE(devices->draw(which, Capacity::small, status));
     EXPECT_EQ(status, all_certified);
     EXPECT_EQ(first.back().front(), first_id);
     EXPECT_EQ(second.back().front(), first_id);

@@ -21,7 +21,7 @@ Result<void> picture(Backend& backend, const Scene& scene) {
   std::vector<std::uint32_t> rgba(32 * 32);
   std::vector<std::uint32_t> ids(32 * 32);
   return backend.begin(makeView(32, 32))
-      .and_then([&] { return backend.draw(toFloat(scene.batch), scene.marks, Effort::fast, status); })
+      .and_then([&] { return backend.draw(toFloat(scene.batch), scene.marks, Capacity::small, status); })
       .and_then([&] { return backend.read(rgba, ids); });
 }
 
@@ -30,7 +30,7 @@ Result<void> pictureOfSites(Backend& backend, const Scene& scene) {
   const auto all = range(0, scene.set.size());
   return backend.upload(scene.set, scene.palette_index)
       .and_then([&] { return backend.begin(makeView(32, 32)); })
-      .and_then([&] { return backend.draw(all, Effort::fast, status); });
+      .and_then([&] { return backend.draw(all, Capacity::small, status); });
 }
 
 Result<void> cells(Backend& backend, const Scene& scene) {
@@ -41,7 +41,7 @@ Result<void> cells(Backend& backend, const Scene& scene) {
 Result<void> cellsOfSites(Backend& backend, const Scene& scene) {
   CellNeighbors found;
   const auto all = range(0, scene.set.size());
-  return backend.upload(scene.set, {}).and_then([&] { return backend.cells(all, Effort::fast, found); });
+  return backend.upload(scene.set, {}).and_then([&] { return backend.cells(all, Capacity::small, found); });
 }
 
 // Does some work on a device, if it opens; the validation layers have nothing to say.

@@ -142,9 +142,9 @@ TEST_P(WeightedBackend, FindsTheCellsOfBruteForce) {
     SCOPED_TRACE(name);
     ASSERT_TRUE(backend().upload(set, {}).has_value());
     std::vector<std::uint32_t> wanted = range(0, set.size());
-    for (const Effort effort : {Effort::fast, Effort::roomy}) {
+    for (const Capacity capacity : {Capacity::small, Capacity::large}) {
       CellNeighbors cells;
-      ASSERT_TRUE(backend().cells(wanted, effort, cells).has_value());
+      ASSERT_TRUE(backend().cells(wanted, capacity, cells).has_value());
       std::vector<std::uint32_t> again;
       for (std::size_t k = 0; k < wanted.size(); k++) {
         const CellStatus status = cells.status[k];
@@ -172,7 +172,7 @@ TEST_P(WeightedBackend, ForgetsWeights) {
   std::vector<CellNeighbors> found;
   for (const auto& set : {std::cref<SiteSet>(plain), std::cref(heavy), std::cref<SiteSet>(plain)}) {
     ASSERT_TRUE(backend().upload(set, {}).has_value());
-    ASSERT_TRUE(backend().cells(range(0, 200), Effort::roomy, found.emplace_back()).has_value());
+    ASSERT_TRUE(backend().cells(range(0, 200), Capacity::large, found.emplace_back()).has_value());
   }
   EXPECT_EQ(std::ranges::count(found[0].status, CellStatus::empty), 0);
   EXPECT_GT(std::ranges::count(found[1].status, CellStatus::empty), 20);
@@ -199,7 +199,7 @@ TEST_P(WeightedBackend, AreUnsecuredWhereUnknownSitesMayCut) {
   buildPyramid(set.grid);
   ASSERT_TRUE(backend().upload(set, {}).has_value());
   CellNeighbors cells;
-  ASSERT_TRUE(backend().cells(range(0, 2000), Effort::roomy, cells).has_value());
+  ASSERT_TRUE(backend().cells(range(0, 2000), Capacity::large, cells).has_value());
   for (std::size_t i = 0; i < 2000; i++) {
     const double to_unknown = 0.25 - std::max(std::abs(set.x[i] - 0.5), std::abs(set.y[i] - 0.5));
     // A site beyond the box, and so heavy, reaches farther than this.

@@ -162,9 +162,9 @@ void fuzzJudge(std::string_view bytes) {
   }
   // Devices are asked for no others: far from the domain float is too coarse, or has no squares.
   const std::vector<std::uint32_t> asked = core::sortOut(set, 1).inside;
-  for (const Effort effort : {Effort::fast, Effort::roomy}) {
+  for (const Capacity capacity : {Capacity::small, Capacity::large}) {
     CellNeighbors cells;
-    cpu::findOnGrid(set, asked, effort, 1, cells);
+    cpu::findOnGrid(set, asked, capacity, 1, cells);
     for (std::size_t k = 0; k < asked.size(); ++k) requireProposed(set, asked[k], entryOf(cells, k));
   }
 }

@@ -55,10 +55,10 @@ CellStatus clipNeighborhood(const CellBatch<double>& batch, const CellBatch<doub
 
 }  // namespace
 
-void clipStatuses(const CellBatch<float>& batch, float outset_x, float outset_y, Effort effort, int threads,
-                  std::span<CellStatus> status) {
+void clipStatuses(const CellBatch<float>& batch, float outset_x, float outset_y, Capacity capacity,
+                  int threads, std::span<CellStatus> status) {
   const glm::vec2 outset{outset_x, outset_y};
-  if (effort == Effort::fast) {
+  if (capacity == Capacity::small) {
     clipStatusesWithRoom<EDGES_FAST>(batch, outset, threads, status);
   } else {
     clipStatusesWithRoom<EDGES_MOST>(batch, outset, threads, status);

@@ -51,9 +51,9 @@ class CpuBackend final : public Backend {
     return {};
   }
 
-  Result<void> cells(std::span<const std::uint32_t> which, Effort effort, CellNeighbors& out) override {
+  Result<void> cells(std::span<const std::uint32_t> which, Capacity capacity, CellNeighbors& out) override {
     assert(sites_ != nullptr);
-    cpu::findOnGrid(*sites_, which, effort, threads_, out);
+    cpu::findOnGrid(*sites_, which, capacity, threads_, out);
     return {};
   }
 
@@ -67,18 +67,18 @@ class CpuBackend final : public Backend {
     return {};
   }
 
-  Result<void> draw(std::span<const std::uint32_t> which, Effort effort,
+  Result<void> draw(std::span<const std::uint32_t> which, Capacity capacity,
                     std::span<CellStatus> status) override {
     assert(sites_ != nullptr);
     const auto uniform = viewUniform(view_, info_.subpixel_bits, sites_->domain);
-    cpu::statusesOnGrid(*sites_, which, effort, uniform.outset_x, uniform.outset_y, threads_, status);
+    cpu::statusesOnGrid(*sites_, which, capacity, uniform.outset_x, uniform.outset_y, threads_, status);
     return {};
   }
 
-  Result<void> draw(const CellBatch<float>& batch, std::span<const DrawMark>, Effort effort,
+  Result<void> draw(const CellBatch<float>& batch, std::span<const DrawMark>, Capacity capacity,
                     std::span<CellStatus> status) override {
     const auto uniform = viewUniform(view_, info_.subpixel_bits, view_.box);
-    cpu::clipStatuses(batch, uniform.outset_x, uniform.outset_y, effort, threads_, status);
+    cpu::clipStatuses(batch, uniform.outset_x, uniform.outset_y, capacity, threads_, status);
     return {};
   }
 

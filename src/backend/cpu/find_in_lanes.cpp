@@ -5,13 +5,13 @@
 namespace vorpipe::cpu {
 
 // Compiled from grid_lanes.cpp; see CMakeLists.txt.
-void findIn4Lanes(const LaneJob& job, bool roomy);
-void findWeightedIn4Lanes(const LaneJob& job, bool roomy);
+void findIn4Lanes(const LaneJob& job, bool large);
+void findWeightedIn4Lanes(const LaneJob& job, bool large);
 #ifdef VORPIPE_WIDE_LANES
-void findIn8Lanes(const LaneJob& job, bool roomy);
-void findWeightedIn8Lanes(const LaneJob& job, bool roomy);
-void findIn16Lanes(const LaneJob& job, bool roomy);
-void findWeightedIn16Lanes(const LaneJob& job, bool roomy);
+void findIn8Lanes(const LaneJob& job, bool large);
+void findWeightedIn8Lanes(const LaneJob& job, bool large);
+void findIn16Lanes(const LaneJob& job, bool large);
+void findWeightedIn16Lanes(const LaneJob& job, bool large);
 
 namespace {
 

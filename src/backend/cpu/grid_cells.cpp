@@ -17,8 +17,8 @@ constexpr int most_tried_roomy = 1024;
 constexpr std::size_t most_at_once = 2048;
 
 /// The job of finding the cells from `begin` up to `end`, without a place for neighbors.
-LaneJob jobOf(const SiteSet& sites, std::span<const std::uint32_t> which, Effort effort, std::size_t begin,
-              std::size_t end, std::span<CellStatus> status) {
+LaneJob jobOf(const SiteSet& sites, std::span<const std::uint32_t> which, Capacity capacity,
+              std::size_t begin, std::size_t end, std::span<CellStatus> status) {
   static_assert(sizeof(CellStatus) == sizeof(std::uint8_t));
   const auto& grid = sites.grid;
   const auto& domain = sites.domain;
@@ -35,7 +35,7 @@ LaneJob jobOf(const SiteSet& sites, std::span<const std::uint32_t> which, Effort
           .coverage = {coverage.xmin, coverage.ymin, coverage.xmax, coverage.ymax},
           .outset_x = 0,
           .outset_y = 0,
-          .most = effort == Effort::fast ? most_tried_fast : most_tried_roomy,
+          .most = capacity == Capacity::small ? most_tried_fast : most_tried_roomy,
           .which = which.data() + begin,
           .count = end - begin,
           .status = reinterpret_cast<std::uint8_t*>(status.data() + begin),
@@ -49,11 +49,11 @@ LaneJob jobOf(const SiteSet& sites, std::span<const std::uint32_t> which, Effort
 
 }  // namespace
 
-void findOnGrid(const SiteSet& sites, std::span<const std::uint32_t> which, Effort effort, int threads,
+void findOnGrid(const SiteSet& sites, std::span<const std::uint32_t> which, Capacity capacity, int threads,
                 CellNeighbors& out) {
-  const bool roomy = effort == Effort::roomy;
+  const bool large = capacity == Capacity::large;
   const bool weighted = !sites.weight.empty();
-  const std::size_t edges = roomy ? EDGES_MOST : EDGES_FAST;
+  const std::size_t edges = large ? EDGES_MOST : EDGES_FAST;
   const auto room = edges + (weighted ? 1 : 0);
   const auto find = findInLanes(weighted);
   const auto count = which.size();
@@ -65,10 +65,10 @@ void findOnGrid(const SiteSet& sites, std::span<const std::uint32_t> which, Effo
   const auto grain = grainFor(count, most_at_once);
   std::vector<std::uint64_t> offset((count + grain - 1) / grain + 1, 0);
   parallelFor(count, grain, threads, [&](std::size_t begin, std::size_t end) {
-    auto job = jobOf(sites, which, effort, begin, end, out.status);
+    auto job = jobOf(sites, which, capacity, begin, end, out.status);
     job.neighbors = neighbors.get() + begin * room;
     job.neighbor_counts = counts.get() + begin;
-    find(job, roomy);
+    find(job, large);
     std::uint64_t sum = 0;
     for (auto e = begin; e < end; ++e) {
       out.offsets[e] = sum;
@@ -87,15 +87,15 @@ void findOnGrid(const SiteSet& sites, std::span<const std::uint32_t> which, Effo
   });
 }
 
-void statusesOnGrid(const SiteSet& sites, std::span<const std::uint32_t> which, Effort effort, float outset_x,
-                    float outset_y, int threads, std::span<CellStatus> status) {
+void statusesOnGrid(const SiteSet& sites, std::span<const std::uint32_t> which, Capacity capacity,
+                    float outset_x, float outset_y, int threads, std::span<CellStatus> status) {
   const auto find = findInLanes(!sites.weight.empty());
   parallelFor(which.size(), grainFor(which.size(), most_at_once), threads,
               [&](std::size_t begin, std::size_t end) {
-                auto job = jobOf(sites, which, effort, begin, end, status);
+                auto job = jobOf(sites, which, capacity, begin, end, status);
                 job.outset_x = outset_x;
                 job.outset_y = outset_y;
-                find(job, effort == Effort::roomy);
+                find(job, capacity == Capacity::large);
               });
 }
 

@@ -231,8 +231,8 @@ void findAll(const LaneJob& job) {
 }  // namespace lanes
 }  // namespace
 
-void VORPIPE_LANES_FUNCTION(const LaneJob& job, bool roomy) {
-  if (roomy) {
+void VORPIPE_LANES_FUNCTION(const LaneJob& job, bool large) {
+  if (large) {
     lanes::findAll<EDGES_MOST>(job);
   } else {
     lanes::findAll<EDGES_FAST>(job);

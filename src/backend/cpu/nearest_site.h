@@ -1,4 +1,4 @@
-/// The judge of pictures and places: finds the nearest site in double.
+/// The exact search of pictures and places: finds the nearest site in double.
 #pragma once
 
 #include <memory>

@@ -1,4 +1,4 @@
-/// The judge's pictures: the site nearest to each pixel's center.
+/// The exact search's pictures: the site nearest to each pixel's center.
 #pragma once
 
 #include <cstdint>

@@ -17,27 +17,27 @@ namespace {
 // cell_answer and cell_neighbors of edges.geom: one of each for an entry, in the order drawn.
 constexpr std::size_t word_bytes = sizeof(GLint);
 
-ProgramText textOf(Entries entries, bool fast) {
+ProgramText textOf(Entries entries, bool small) {
   static constexpr std::array<const char*, 2> captured = {"cell_answer", "cell_neighbors"};
   if (entries == Entries::lists)
     return {shaders::cell_vert_410(), shaders::edges_list_roomy_410(), {}, captured};
-  auto geometry = fast ? shaders::edges_grid_fast_410() : shaders::edges_grid_roomy_410();
+  auto geometry = small ? shaders::edges_grid_fast_410() : shaders::edges_grid_roomy_410();
   if (entries == Entries::weighted_sites) {
-    geometry = fast ? shaders::edges_grid_fast_weighted_410() : shaders::edges_grid_roomy_weighted_410();
+    geometry = small ? shaders::edges_grid_fast_weighted_410() : shaders::edges_grid_roomy_weighted_410();
   }
   return {shaders::site_vert_410(), geometry, {}, captured};
 }
 
 }  // namespace
 
-Result<void> Cells::run(Entries entries, Effort effort, std::size_t count, CellNeighbors& out) {
+Result<void> Cells::run(Entries entries, Capacity capacity, std::size_t count, CellNeighbors& out) {
   out = {};
   out.offsets.push_back(0);
-  const bool fast = entries != Entries::lists && effort == Effort::fast;
-  const std::size_t room = answerRoom(fast ? EDGES_FAST : EDGES_MOST, entries == Entries::weighted_sites);
+  const bool small = entries != Entries::lists && capacity == Capacity::small;
+  const std::size_t room = answerRoom(small ? EDGES_FAST : EDGES_MOST, entries == Entries::weighted_sites);
   const std::size_t row_bytes = room * sizeof(GLint);
   const std::size_t record_bytes = word_bytes + row_bytes;
-  VORPIPE_TRY(made_[programOf(entries, effort)].use(textOf(entries, fast)));
+  VORPIPE_TRY(made_[programOf(entries, capacity)].use(textOf(entries, small)));
   const RasterizerDiscard discard;
   const std::size_t at_once = Feedback::entriesAtOnce(record_bytes);
   Result<void> answered;

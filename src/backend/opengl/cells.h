@@ -20,7 +20,7 @@ class Cells {
   /// Clips the entries or sites that were sent, `count` of them, and replaces out. Lists of lines are clipped
   /// with the capacity EDGES_MOST. Requires a complete framebuffer and a view to be bound, and leaves both
   /// unchanged. Errors (device): out of memory; the device failed; the driver refuses the shaders.
-  Result<void> run(Entries entries, Effort effort, std::size_t count, CellNeighbors& out);
+  Result<void> run(Entries entries, Capacity capacity, std::size_t count, CellNeighbors& out);
 
  private:
   std::array<Program, programs> made_;

@@ -19,14 +19,14 @@ struct Record {
 
 constexpr std::size_t triangle_bytes = 3 * sizeof(Record);
 
-ProgramText textOf(Entries entries, bool fast) {
+ProgramText textOf(Entries entries, bool small) {
   static constexpr std::array<const char*, 1> captured = {"cell_status"};
   if (entries == Entries::lists) {
-    const auto geometry = fast ? shaders::cell_list_fast_410() : shaders::cell_list_roomy_410();
+    const auto geometry = small ? shaders::cell_list_fast_410() : shaders::cell_list_roomy_410();
     return {shaders::cell_vert_410(), geometry, shaders::cell_frag_410(), captured};
   }
   assert(entries == Entries::sites);
-  const auto geometry = fast ? shaders::cell_grid_fast_410() : shaders::cell_grid_roomy_410();
+  const auto geometry = small ? shaders::cell_grid_fast_410() : shaders::cell_grid_roomy_410();
   return {shaders::site_vert_410(), geometry, shaders::cell_frag_410(), captured};
 }
 
@@ -44,12 +44,12 @@ bool readStatuses(std::span<const std::byte> triangles, std::span<CellStatus> st
 
 }  // namespace
 
-Result<void> Geometry::draw(Entries entries, Effort effort, std::span<CellStatus> status) {
+Result<void> Geometry::draw(Entries entries, Capacity capacity, std::span<CellStatus> status) {
   std::ranges::fill(status, CellStatus::missing);
-  const bool fast = effort == Effort::fast;
-  VORPIPE_TRY(made_[programOf(entries, effort)].use(textOf(entries, fast)));
+  const bool small = capacity == Capacity::small;
+  VORPIPE_TRY(made_[programOf(entries, capacity)].use(textOf(entries, small)));
   const std::size_t count = status.size();
-  const std::size_t triangles = fast ? EDGES_FAST - 2 : EDGES_MOST - 2;
+  const std::size_t triangles = small ? EDGES_FAST - 2 : EDGES_MOST - 2;
   const std::size_t at_once = Feedback::entriesAtOnce(triangles * triangle_bytes);
   for (std::size_t first = 0; first < count; first += at_once) {
     feedback_.begin();

@@ -19,7 +19,7 @@ class Geometry {
   /// Clips the entries or sites that were sent and draws them into the bound framebuffer. status has one
   /// element for each; a missing answer of the device becomes `missing`. Errors (device): the device failed;
   /// the driver refuses the shaders.
-  Result<void> draw(Entries entries, Effort effort, std::span<CellStatus> status);
+  Result<void> draw(Entries entries, Capacity capacity, std::span<CellStatus> status);
 
  private:
   std::array<Program, programs> made_;

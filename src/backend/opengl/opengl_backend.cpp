@@ -58,16 +58,16 @@ class OpenGlBackend final : public Backend {
     return gl_.sites.upload(sites, palette_index);
   }
 
-  Result<void> cells(std::span<const std::uint32_t> which, Effort effort, CellNeighbors& out) override {
+  Result<void> cells(std::span<const std::uint32_t> which, Capacity capacity, CellNeighbors& out) override {
     assert(which.size() <= info_.max_entries);
     return findCells(
-        gl_.sites.entries(), effort, which.size(), [&] { return gl_.sites.send(which); }, out);
+        gl_.sites.entries(), capacity, which.size(), [&] { return gl_.sites.send(which); }, out);
   }
 
   Result<void> cells(const CellBatch<double>& batch, CellNeighbors& out) override {
     assert(batch.lines.size() <= info_.max_lines && batch.entries.size() <= info_.max_entries);
     return findCells(
-        Entries::lists, Effort::roomy, batch.entries.size(),
+        Entries::lists, Capacity::large, batch.entries.size(),
         [&] { return gl_.batch.send(toFloat(batch), {}); }, out);
   }
 
@@ -78,17 +78,17 @@ class OpenGlBackend final : public Backend {
     return gl_.picture.begin(view);
   }
 
-  Result<void> draw(std::span<const std::uint32_t> which, Effort effort,
+  Result<void> draw(std::span<const std::uint32_t> which, Capacity capacity,
                     std::span<CellStatus> status) override {
     assert(status.size() == which.size() && which.size() <= info_.max_entries);
     const auto scope = context_.enter();
     if (!scope) return tl::unexpected(scope.error());
     gl_.picture.bind();
     VORPIPE_TRY(gl_.sites.send(which));
-    return gl_.geometry.draw(gl_.sites.entries(), effort, status);
+    return gl_.geometry.draw(gl_.sites.entries(), capacity, status);
   }
 
-  Result<void> draw(const CellBatch<float>& batch, std::span<const DrawMark> marks, Effort effort,
+  Result<void> draw(const CellBatch<float>& batch, std::span<const DrawMark> marks, Capacity capacity,
                     std::span<CellStatus> status) override {
     assert(batch.lines.size() <= info_.max_lines && batch.entries.size() <= info_.max_entries);
     assert(marks.size() == batch.entries.size() && status.size() == batch.entries.size());
@@ -96,7 +96,7 @@ class OpenGlBackend final : public Backend {
     if (!scope) return tl::unexpected(scope.error());
     gl_.picture.bind();
     VORPIPE_TRY(gl_.batch.send(batch, marks));
-    return gl_.geometry.draw(Entries::lists, effort, status);
+    return gl_.geometry.draw(Entries::lists, capacity, status);
   }
 
   Result<void> drawTriangles(std::span<const DrawMark> corners,
@@ -124,14 +124,14 @@ class OpenGlBackend final : public Backend {
  private:
   // send puts `count` entries on the device.
   template <class Send>
-  Result<void> findCells(Entries entries, Effort effort, std::size_t count, const Send& send,
+  Result<void> findCells(Entries entries, Capacity capacity, std::size_t count, const Send& send,
                          CellNeighbors& out) {
     const auto scope = context_.enter();
     if (!scope) return tl::unexpected(scope.error());
     gl_.picture.bind();
     try {
       VORPIPE_TRY(send());
-      return gl_.cells.run(entries, effort, count, out);
+      return gl_.cells.run(entries, capacity, count, out);
     } catch (const std::bad_alloc&) {
       return tl::unexpected(
           Error{ErrorCode::device,

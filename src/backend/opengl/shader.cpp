@@ -96,8 +96,8 @@ Result<GLuint> link(const ProgramText& text) {
 
 }  // namespace
 
-std::size_t programOf(Entries entries, Effort effort) {
-  return 2 * static_cast<std::size_t>(entries) + (effort == Effort::fast ? 0U : 1U);
+std::size_t programOf(Entries entries, Capacity capacity) {
+  return 2 * static_cast<std::size_t>(entries) + (capacity == Capacity::small ? 0U : 1U);
 }
 
 Result<void> Program::use(const ProgramText& text) {

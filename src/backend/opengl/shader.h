@@ -11,9 +11,9 @@
 
 namespace vorpipe::opengl {
 
-/// Number of programs of a kind: one for each Entries and each of the efforts fast and roomy.
+/// Number of programs of a kind: one for each Entries and each of the capacities small and large.
 inline constexpr std::size_t programs = 6;
-std::size_t programOf(Entries entries, Effort effort);
+std::size_t programOf(Entries entries, Capacity capacity);
 
 struct ProgramText {
   std::string_view vertex, geometry, fragment;  ///< fragment may be empty: nothing is drawn

@@ -25,7 +25,7 @@ Result<void> GeometryBackend::cells(const CellBatch<double>& batch, CellNeighbor
   try {
     const DrawMark any{};
     VORPIPE_TRY(sendBatch(toFloat(batch), std::span(&any, 1)));
-    return findCells({Effort::roomy, Entries::lists, entries_.get(), sizeof(CellBatch<float>::Entry),
+    return findCells({Capacity::large, Entries::lists, entries_.get(), sizeof(CellBatch<float>::Entry),
                       batch.entries.size()},
                      out);
   } catch (const std::bad_alloc&) {
@@ -33,11 +33,12 @@ Result<void> GeometryBackend::cells(const CellBatch<double>& batch, CellNeighbor
   }
 }
 
-Result<void> GeometryBackend::cells(std::span<const std::uint32_t> which, Effort effort, CellNeighbors& out) {
-  assert(effort == Effort::fast || effort == Effort::roomy);
+Result<void> GeometryBackend::cells(std::span<const std::uint32_t> which, Capacity capacity,
+                                    CellNeighbors& out) {
+  assert(capacity == Capacity::small || capacity == Capacity::large);
   try {
     VORPIPE_TRY(sendWhich(which));
-    return findCells({effort, siteEntries(), which_.get(), sizeof(which[0]), which.size()}, out);
+    return findCells({capacity, siteEntries(), which_.get(), sizeof(which[0]), which.size()}, out);
   } catch (const std::bad_alloc&) {
     return outOfMemory(which.size());
   }
@@ -49,9 +50,9 @@ Result<void> GeometryBackend::findCells(const CellWork& work, CellNeighbors& out
   out.offsets.push_back(0);
   if (work.count == 0) return {};
   VORPIPE_TRY(createEmptyFramebuffer());
-  const bool fast = work.effort == Effort::fast && work.entries != Entries::lists;
+  const bool small = work.capacity == Capacity::small && work.entries != Entries::lists;
   const bool weighted = work.entries == Entries::weighted_sites;
-  const std::size_t room = answerRoom(fast ? EDGES_FAST : EDGES_MOST, weighted);
+  const std::size_t room = answerRoom(small ? EDGES_FAST : EDGES_MOST, weighted);
   const std::size_t row_bytes = room * sizeof(std::int32_t);
   const std::size_t range =
       std::min<std::size_t>(info_.max_entries * sizeof(std::uint32_t), device_.largestAllocation());
@@ -60,7 +61,7 @@ Result<void> GeometryBackend::findCells(const CellWork& work, CellNeighbors& out
   VORPIPE_TRY(edges_.reserve(device_, slice * row_bytes,
                              slice_entries * answerRoom(EDGES_MOST, true) * sizeof(std::int32_t)));
   bindings_.setStorage(device_, BINDING_EDGES, edges_.get(), slice * row_bytes);
-  VORPIPE_LET(pipeline, pipelines_.edges(device_, bindings_.layout(), work.entries, work.effort));
+  VORPIPE_LET(pipeline, pipelines_.edges(device_, bindings_.layout(), work.entries, work.capacity));
   const VkBuffer second = work.entries == Entries::lists ? marks_.get() : work.vertices;
   const Pass pass{pipeline, pipelines_.emptyPass(),  empty_framebuffer_.get(),
                   {1, 1},   {work.vertices, second}, work.stride};

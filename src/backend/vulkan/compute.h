@@ -38,12 +38,12 @@ class ComputeBackend final : public Backend {
 
   const BackendInfo& info() const override { return info_; }
   Result<void> upload(const SiteSet& sites, std::span<const std::uint8_t> palette_index) override;
-  Result<void> cells(std::span<const std::uint32_t> which, Effort effort, CellNeighbors& out) override;
+  Result<void> cells(std::span<const std::uint32_t> which, Capacity capacity, CellNeighbors& out) override;
   Result<void> cells(const CellBatch<double>& batch, CellNeighbors& out) override;
   Result<void> begin(const View& view) override;
-  Result<void> draw(std::span<const std::uint32_t> which, Effort effort,
+  Result<void> draw(std::span<const std::uint32_t> which, Capacity capacity,
                     std::span<CellStatus> status) override;
-  Result<void> draw(const CellBatch<float>& batch, std::span<const DrawMark> marks, Effort effort,
+  Result<void> draw(const CellBatch<float>& batch, std::span<const DrawMark> marks, Capacity capacity,
                     std::span<CellStatus> status) override;
   Result<void> drawTriangles(std::span<const DrawMark> corners,
                              std::span<const std::uint32_t> corner_of) override;
@@ -73,7 +73,9 @@ class ComputeBackend final : public Backend {
     bool weighted = false;
   };
 
-  static std::size_t roomOf(Effort effort) { return effort == Effort::fast ? EDGES_FAST : EDGES_MOST; }
+  static std::size_t roomOf(Capacity capacity) {
+    return capacity == Capacity::small ? EDGES_FAST : EDGES_MOST;
+  }
 
   ComputeBackend(Parts parts, BackendInfo info, std::uint64_t storage_range);
 

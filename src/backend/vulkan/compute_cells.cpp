@@ -24,11 +24,11 @@ constexpr std::size_t word_bytes = sizeof(std::uint32_t);
 // Bytes of a word for each entry, rounded up to four words, as rows are.
 constexpr std::size_t wordsBytes(std::size_t entries) { return (entries + 3) / 4 * 4 * word_bytes; }
 
-ComputeKernels::Code searchCode(bool fast, bool weighted) {
+ComputeKernels::Code searchCode(bool small, bool weighted) {
   if (weighted) {
-    return fast ? shaders::neighbors_grid_fast_weighted() : shaders::neighbors_grid_roomy_weighted();
+    return small ? shaders::neighbors_grid_fast_weighted() : shaders::neighbors_grid_roomy_weighted();
   }
-  return fast ? shaders::neighbors_grid_fast() : shaders::neighbors_grid_roomy();
+  return small ? shaders::neighbors_grid_fast() : shaders::neighbors_grid_roomy();
 }
 
 Result<void> clear(CellNeighbors& out) {
@@ -40,14 +40,15 @@ Result<void> clear(CellNeighbors& out) {
 
 }  // namespace
 
-Result<void> ComputeBackend::cells(std::span<const std::uint32_t> which, Effort effort, CellNeighbors& out) {
-  assert(effort == Effort::fast || effort == Effort::roomy);
-  const bool fast = effort == Effort::fast;
+Result<void> ComputeBackend::cells(std::span<const std::uint32_t> which, Capacity capacity,
+                                   CellNeighbors& out) {
+  assert(capacity == Capacity::small || capacity == Capacity::large);
+  const bool small = capacity == Capacity::small;
   if (which.empty()) return clear(out);
   try {
     VORPIPE_TRY(sendWhich(which));
-    return findCells({sites_bindings_, searchCode(fast, weighted_), roomOf(effort), which.size(), weighted_},
-                     out);
+    return findCells(
+        {sites_bindings_, searchCode(small, weighted_), roomOf(capacity), which.size(), weighted_}, out);
   } catch (const std::bad_alloc&) {
     return outOfMemory(which.size());
   }
@@ -58,7 +59,8 @@ Result<void> ComputeBackend::cells(const CellBatch<double>& batch, CellNeighbors
   try {
     VORPIPE_TRY(sendBatch(toFloat(batch)));
     return findCells(
-        {lists_bindings_, shaders::neighbors_list_roomy(), roomOf(Effort::roomy), batch.entries.size()}, out);
+        {lists_bindings_, shaders::neighbors_list_roomy(), roomOf(Capacity::large), batch.entries.size()},
+        out);
   } catch (const std::bad_alloc&) {
     return outOfMemory(batch.entries.size());
   }

@@ -20,28 +20,28 @@ constexpr std::size_t word = sizeof(std::uint32_t);
 
 }  // namespace
 
-Result<void> ComputeBackend::draw(std::span<const std::uint32_t> which, Effort effort,
+Result<void> ComputeBackend::draw(std::span<const std::uint32_t> which, Capacity capacity,
                                   std::span<CellStatus> status) {
   assert(status.size() == which.size() && !weighted_);
   if (which.empty()) return {};
-  const bool fast = effort == Effort::fast;
+  const bool small = capacity == Capacity::small;
   VORPIPE_TRY(sendWhich(which));
-  return drawCells({sites_bindings_, fast ? shaders::polygons_grid_fast() : shaders::polygons_grid_roomy(),
-                    roomOf(effort), which.size()},
+  return drawCells({sites_bindings_, small ? shaders::polygons_grid_fast() : shaders::polygons_grid_roomy(),
+                    roomOf(capacity), which.size()},
                    status);
 }
 
 Result<void> ComputeBackend::draw(const CellBatch<float>& batch, std::span<const DrawMark> marks,
-                                  Effort effort, std::span<CellStatus> status) {
+                                  Capacity capacity, std::span<CellStatus> status) {
   assert(marks.size() == batch.entries.size() && status.size() == batch.entries.size());
   if (status.empty()) return {};
-  const bool fast = effort == Effort::fast;
+  const bool small = capacity == Capacity::small;
   VORPIPE_TRY(sendBatch(batch));
   VORPIPE_TRY(marks_.reserve(device_, marks.size_bytes(), info_.max_entries * sizeof(DrawMark)));
   std::memcpy(marks_.data(), marks.data(), marks.size_bytes());
   lists_bindings_.setTexels(device_, BINDING_MARKS, marks_.texels());
-  return drawCells({lists_bindings_, fast ? shaders::polygons_list_fast() : shaders::polygons_list_roomy(),
-                    roomOf(effort), batch.entries.size()},
+  return drawCells({lists_bindings_, small ? shaders::polygons_list_fast() : shaders::polygons_list_roomy(),
+                    roomOf(capacity), batch.entries.size()},
                    status);
 }
 

@@ -69,12 +69,12 @@ class DevicePool final : public Backend {
     return devices_[0]->upload(sites, palette_index_);
   }
 
-  Result<void> cells(std::span<const std::uint32_t> which, Effort effort, CellNeighbors& out) override {
+  Result<void> cells(std::span<const std::uint32_t> which, Capacity capacity, CellNeighbors& out) override {
     VORPIPE_TRY(giveSites(devicesFor(which.size())));
     return collect(
         which.size(),
         [&](Backend& device, const Part& part, CellNeighbors& found) {
-          return device.cells(which.subspan(part.begin, part.size()), effort, found);
+          return device.cells(which.subspan(part.begin, part.size()), capacity, found);
         },
         out);
   }
@@ -94,22 +94,22 @@ class DevicePool final : public Backend {
     return each(devices_.size(), [&](Backend& device) { return device.begin(view); });
   }
 
-  Result<void> draw(std::span<const std::uint32_t> which, Effort effort,
+  Result<void> draw(std::span<const std::uint32_t> which, Capacity capacity,
                     std::span<CellStatus> status) override {
     VORPIPE_TRY(giveSites(devicesFor(which.size())));
     VORPIPE_TRY(spread(which.size(), [&](Backend& device, const Part& part) {
-      return device.draw(which.subspan(part.begin, part.size()), effort,
+      return device.draw(which.subspan(part.begin, part.size()), capacity,
                          status.subspan(part.begin, part.size()));
     }));
     noteDrawings(status, [&](std::size_t entry) { return sites_->id[which[entry]]; });
     return {};
   }
 
-  Result<void> draw(const CellBatch<float>& batch, std::span<const DrawMark> marks, Effort effort,
+  Result<void> draw(const CellBatch<float>& batch, std::span<const DrawMark> marks, Capacity capacity,
                     std::span<CellStatus> status) override {
     VORPIPE_TRY(spread(batch.entries.size(), [&](Backend& device, const Part& part) {
       return onSlice(batch, part, [&](const auto& cut) {
-        return device.draw(cut, marks.subspan(part.begin, part.size()), effort,
+        return device.draw(cut, marks.subspan(part.begin, part.size()), capacity,
                            status.subspan(part.begin, part.size()));
       });
     }));

@@ -41,19 +41,19 @@ Result<void> GeometryBackend::sendWhich(std::span<const std::uint32_t> which) {
 }
 
 Result<void> GeometryBackend::draw(const CellBatch<float>& batch, std::span<const DrawMark> marks,
-                                   Effort effort, std::span<CellStatus> status) {
+                                   Capacity capacity, std::span<CellStatus> status) {
   assert(marks.size() == batch.entries.size() && status.size() == batch.entries.size());
   if (status.empty()) return {};
   VORPIPE_TRY(sendBatch(batch, marks));
-  return drawEntries(Entries::lists, effort, {entries_.get(), marks_.get()}, status);
+  return drawEntries(Entries::lists, capacity, {entries_.get(), marks_.get()}, status);
 }
 
-Result<void> GeometryBackend::draw(std::span<const std::uint32_t> which, Effort effort,
+Result<void> GeometryBackend::draw(std::span<const std::uint32_t> which, Capacity capacity,
                                    std::span<CellStatus> status) {
   assert(status.size() == which.size());
   if (which.empty()) return {};
   VORPIPE_TRY(sendWhich(which));
-  return drawEntries(siteEntries(), effort, {which_.get(), which_.get()}, status);
+  return drawEntries(siteEntries(), capacity, {which_.get(), which_.get()}, status);
 }
 
 Result<void> GeometryBackend::drawTriangles(std::span<const DrawMark> corners,
@@ -66,11 +66,11 @@ Result<void> GeometryBackend::drawTriangles(std::span<const DrawMark> corners,
   return painter_->draw(device_, target_, corners, corner_of, info_.max_lines);
 }
 
-Result<void> GeometryBackend::drawEntries(Entries entries, Effort effort, std::array<VkBuffer, 2> vertices,
-                                          std::span<CellStatus> status) {
+Result<void> GeometryBackend::drawEntries(Entries entries, Capacity capacity,
+                                          std::array<VkBuffer, 2> vertices, std::span<CellStatus> status) {
   assert(target_.framebuffer() != VK_NULL_HANDLE);
   VORPIPE_TRY(reserveStatus(status.size()));
-  VORPIPE_LET(pipeline, pipelines_.draw(device_, bindings_.layout(), entries, effort));
+  VORPIPE_LET(pipeline, pipelines_.draw(device_, bindings_.layout(), entries, capacity));
   VORPIPE_TRY(run({pipeline, pipelines_.targetPass(), target_.framebuffer(), target_.extent(), vertices, 0},
                   0, status.size()));
   for (std::size_t entry = 0; entry < status.size(); entry++) {

@@ -32,12 +32,12 @@ class GeometryBackend final : public Backend {
 
   const BackendInfo& info() const override { return info_; }
   Result<void> upload(const SiteSet& sites, std::span<const std::uint8_t> palette_index) override;
-  Result<void> cells(std::span<const std::uint32_t> which, Effort effort, CellNeighbors& out) override;
+  Result<void> cells(std::span<const std::uint32_t> which, Capacity capacity, CellNeighbors& out) override;
   Result<void> cells(const CellBatch<double>& batch, CellNeighbors& out) override;
   Result<void> begin(const View& view) override;
-  Result<void> draw(std::span<const std::uint32_t> which, Effort effort,
+  Result<void> draw(std::span<const std::uint32_t> which, Capacity capacity,
                     std::span<CellStatus> status) override;
-  Result<void> draw(const CellBatch<float>& batch, std::span<const DrawMark> marks, Effort effort,
+  Result<void> draw(const CellBatch<float>& batch, std::span<const DrawMark> marks, Capacity capacity,
                     std::span<CellStatus> status) override;
   Result<void> drawTriangles(std::span<const DrawMark> corners,
                              std::span<const std::uint32_t> corner_of) override;
@@ -58,7 +58,7 @@ class GeometryBackend final : public Backend {
     VkDeviceSize stride;               ///< of the first
   };
   struct CellWork {
-    Effort effort;
+    Capacity capacity;
     Entries entries;
     VkBuffer vertices;
     VkDeviceSize stride;
@@ -75,7 +75,7 @@ class GeometryBackend final : public Backend {
   Result<void> sendBatch(const CellBatch<float>& batch, std::span<const DrawMark> marks);
   Result<void> sendWhich(std::span<const std::uint32_t> which);
   Result<void> reserveStatus(std::size_t entries);
-  Result<void> drawEntries(Entries entries, Effort effort, std::array<VkBuffer, 2> vertices,
+  Result<void> drawEntries(Entries entries, Capacity capacity, std::array<VkBuffer, 2> vertices,
                            std::span<CellStatus> status);
   Result<void> findCells(const CellWork& work, CellNeighbors& out);
   Result<void> run(const Pass& pass, std::size_t first, std::size_t count);

@@ -51,8 +51,8 @@ constexpr std::array<VkVertexInputAttributeDescription, 5> list_inputs = {{
 // The input of site.vert.
 constexpr std::array<VkVertexInputAttributeDescription, 1> site_inputs = {{{0, 0, VK_FORMAT_R32_UINT, 0}}};
 
-std::size_t indexOf(Entries entries, Effort effort) {
-  return 2 * static_cast<std::size_t>(entries) + (effort == Effort::fast ? 0U : 1U);
+std::size_t indexOf(Entries entries, Capacity capacity) {
+  return 2 * static_cast<std::size_t>(entries) + (capacity == Capacity::small ? 0U : 1U);
 }
 
 Code vertexCode(Entries entries) {
@@ -145,27 +145,27 @@ Result<VkPipeline> Pipelines::made(const Device& device, VkPipelineLayout layout
 }
 
 Result<VkPipeline> Pipelines::draw(const Device& device, VkPipelineLayout layout, Entries entries,
-                                   Effort effort) {
-  const bool fast = effort == Effort::fast;
-  Code geometry = fast ? shaders::cell_list_fast() : shaders::cell_list_roomy();
-  if (entries == Entries::sites) geometry = fast ? shaders::cell_grid_fast() : shaders::cell_grid_roomy();
+                                   Capacity capacity) {
+  const bool small = capacity == Capacity::small;
+  Code geometry = small ? shaders::cell_list_fast() : shaders::cell_list_roomy();
+  if (entries == Entries::sites) geometry = small ? shaders::cell_grid_fast() : shaders::cell_grid_roomy();
   assert(entries != Entries::weighted_sites);
   return made(
       device, layout,
       {vertexCode(entries), geometry, shaders::cell_frag(), targetPass(), 2, entries, sizeof(DrawMark)},
-      draw_[indexOf(entries, effort)]);
+      draw_[indexOf(entries, capacity)]);
 }
 
 Result<VkPipeline> Pipelines::edges(const Device& device, VkPipelineLayout layout, Entries entries,
-                                    Effort effort) {
-  const bool fast = effort == Effort::fast;
+                                    Capacity capacity) {
+  const bool small = capacity == Capacity::small;
   Code geometry = shaders::edges_list_roomy();
-  if (entries == Entries::sites) geometry = fast ? shaders::edges_grid_fast() : shaders::edges_grid_roomy();
+  if (entries == Entries::sites) geometry = small ? shaders::edges_grid_fast() : shaders::edges_grid_roomy();
   if (entries == Entries::weighted_sites) {
-    geometry = fast ? shaders::edges_grid_fast_weighted() : shaders::edges_grid_roomy_weighted();
+    geometry = small ? shaders::edges_grid_fast_weighted() : shaders::edges_grid_roomy_weighted();
   }
   return made(device, layout, {vertexCode(entries), geometry, {}, emptyPass(), 0, entries, 0},
-              edges_[indexOf(entries, effort)]);
+              edges_[indexOf(entries, capacity)]);
 }
 
 Result<Handle<VkPipeline>> Pipelines::build(const Device& device, VkPipelineLayout layout,

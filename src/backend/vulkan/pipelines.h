@@ -27,10 +27,10 @@ class Pipelines {
   static Result<Pipelines> create(const Device& device);
 
   /// Clips and draws, within targetPass().
-  Result<VkPipeline> draw(const Device& device, VkPipelineLayout layout, Entries entries, Effort effort);
+  Result<VkPipeline> draw(const Device& device, VkPipelineLayout layout, Entries entries, Capacity capacity);
   /// Clips and writes neighbors, within emptyPass(). It reads one mark, whose contents do not matter, and
   /// lists are clipped with the capacity EDGES_MOST.
-  Result<VkPipeline> edges(const Device& device, VkPipelineLayout layout, Entries entries, Effort effort);
+  Result<VkPipeline> edges(const Device& device, VkPipelineLayout layout, Entries entries, Capacity capacity);
 
   [[nodiscard]] VkRenderPass targetPass() const { return target_pass_.get(); }
   [[nodiscard]] VkRenderPass emptyPass() const { return empty_pass_.get(); }
@@ -46,7 +46,7 @@ class Pipelines {
   Handle<VkRenderPass> target_pass_;  ///< of Target
   Handle<VkRenderPass> empty_pass_;   ///< without an attachment
   Handle<VkPipelineCache> cache_;
-  std::array<Handle<VkPipeline>, 2 * entry_kinds> draw_, edges_;  ///< by Entries, then by Effort
+  std::array<Handle<VkPipeline>, 2 * entry_kinds> draw_, edges_;  ///< by Entries, then by Capacity
 };
 
 }  // namespace vorpipe::vulkan

@@ -29,8 +29,8 @@ class LyingBackend final : public ForwardingBackend {
   LyingBackend(Backend& honest, Lie lie, std::uint32_t one_in, std::uint64_t seed)
       : ForwardingBackend(honest), lie_(lie), one_in_(one_in), random_(seed) {}
 
-  Result<void> cells(std::span<const std::uint32_t> which, Effort effort, CellNeighbors& out) override {
-    auto done = ForwardingBackend::cells(which, effort, out);
+  Result<void> cells(std::span<const std::uint32_t> which, Capacity capacity, CellNeighbors& out) override {
+    auto done = ForwardingBackend::cells(which, capacity, out);
     if (done) spoil(out);
     return done;
   }
@@ -39,15 +39,15 @@ class LyingBackend final : public ForwardingBackend {
     if (done) spoil(out);
     return done;
   }
-  Result<void> draw(std::span<const std::uint32_t> which, Effort effort,
+  Result<void> draw(std::span<const std::uint32_t> which, Capacity capacity,
                     std::span<CellStatus> status) override {
-    auto done = ForwardingBackend::draw(which, effort, status);
+    auto done = ForwardingBackend::draw(which, capacity, status);
     if (lie_ == Lie::statuses) spoil(status);
     return done;
   }
-  Result<void> draw(const CellBatch<float>& batch, std::span<const DrawMark> marks, Effort effort,
+  Result<void> draw(const CellBatch<float>& batch, std::span<const DrawMark> marks, Capacity capacity,
                     std::span<CellStatus> status) override {
-    auto done = ForwardingBackend::draw(batch, marks, effort, status);
+    auto done = ForwardingBackend::draw(batch, marks, capacity, status);
     if (lie_ == Lie::statuses) spoil(status);
     return done;
   }

@@ -122,8 +122,8 @@ class Device final : public SloppyDevice {
     palette_index_ = palette_index;
     return cpu_->upload(sites, palette_index);
   }
-  Result<void> cells(std::span<const std::uint32_t> which, Effort effort, CellNeighbors& out) override {
-    return cpu_->cells(which, effort, out);
+  Result<void> cells(std::span<const std::uint32_t> which, Capacity capacity, CellNeighbors& out) override {
+    return cpu_->cells(which, capacity, out);
   }
   Result<void> cells(const CellBatch<double>& batch, CellNeighbors& out) override {
     return cpu_->cells(batch, out);
@@ -135,13 +135,13 @@ class Device final : public SloppyDevice {
     rgba_.assign(pixels, 0);
     return {};
   }
-  Result<void> draw(std::span<const std::uint32_t> which, Effort, std::span<CellStatus> status) override {
+  Result<void> draw(std::span<const std::uint32_t> which, Capacity, std::span<CellStatus> status) override {
     for (std::size_t e = 0; e < which.size(); ++e) {
       status[e] = drawSite(which[e]);
     }
     return {};
   }
-  Result<void> draw(const CellBatch<float>& batch, std::span<const DrawMark> marks, Effort,
+  Result<void> draw(const CellBatch<float>& batch, std::span<const DrawMark> marks, Capacity,
                     std::span<CellStatus> status) override {
     const ViewUniform uniform = viewUniform(view_, info_.subpixel_bits, view_.box);
     glsl::Even clip;

@@ -101,9 +101,9 @@ TEST(MeshCells, OfSomeSitesAreThoseOfAll) {
         if (is_left[i] != 0) left.push_back(i);
       }
       SiteMesh mesh(sites, 2);
-      Judge judge(*exact, mesh);
+      ExactSearch exact_search(*exact, mesh);
       auto rows = knownRows(sites, all, is_left);
-      ASSERT_TRUE(judge.findAmong(left, 2, rows));
+      ASSERT_TRUE(exact_search.findAmong(left, 2, rows));
       EXPECT_FALSE(mesh.isMade());
       for (std::size_t i = 0; i < sites.size(); ++i) {
         ASSERT_EQ(rows.status(i), all.status[i]) << "site " << i;
@@ -143,9 +143,9 @@ TEST(CurveOrder, HasNearSitesNearEachOther) {
 class CountingDevice final : public ChangedCpu {
  public:
   CountingDevice() : ChangedCpu(0) {}
-  Result<void> cells(std::span<const std::uint32_t> which, Effort effort, CellNeighbors& out) override {
+  Result<void> cells(std::span<const std::uint32_t> which, Capacity capacity, CellNeighbors& out) override {
     asked += which.size();
-    return ChangedCpu::cells(which, effort, out);
+    return ChangedCpu::cells(which, capacity, out);
   }
 
   std::size_t asked = 0;
@@ -179,11 +179,12 @@ Asked askedFor(Pattern pattern) {
   CountingDevice device;
   CountingTier exact;
   SiteMesh mesh(sites, 2);
-  Judge judge(exact, mesh);
+  ExactSearch exact_search(exact, mesh);
   const SearchOptions search;
   const Progress progress;
   Report report;
-  const auto rows = findNeighbors({device, judge, sites, search, 2, progress}, AtEmpty::ignore, report);
+  const auto rows =
+      findNeighbors({device, exact_search, sites, search, 2, progress}, AtEmpty::ignore, report);
   EXPECT_TRUE(rows);
   for (std::size_t i = 0; i < sites.size(); ++i) EXPECT_NE((*rows)->status(i), CellStatus::missing);
   return {device.asked, exact.asked};

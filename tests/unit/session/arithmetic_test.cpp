@@ -134,7 +134,7 @@ class CoarseRasterizer final : public ChangedCpu {
     ids_.assign(static_cast<std::size_t>(view.width) * static_cast<std::size_t>(view.height), no_site);
     return {};
   }
-  Result<void> draw(const CellBatch<float>& batch, std::span<const DrawMark> marks, Effort,
+  Result<void> draw(const CellBatch<float>& batch, std::span<const DrawMark> marks, Capacity,
                     std::span<CellStatus> status) override {
     for (std::size_t e = 0; e < batch.entries.size(); ++e) {
       const auto& entry = batch.entries[e];
@@ -194,7 +194,7 @@ TEST(SubpixelGrid, MakesNoSenseWhereNothingIsDrawn) {
   class Empty final : public ChangedCpu {
    public:
     Empty() : ChangedCpu(1) {}
-    Result<void> draw(const CellBatch<float>&, std::span<const DrawMark>, Effort,
+    Result<void> draw(const CellBatch<float>&, std::span<const DrawMark>, Capacity,
                       std::span<CellStatus>) override {
       return {};
     }

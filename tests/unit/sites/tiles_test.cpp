@@ -149,11 +149,12 @@ Found cellsInTiles(const SiteSet& sites, std::uint64_t most_sites, std::uint64_t
   Small backend(most_sites, most_bins);
   const auto exact = openExactTier(0);
   SiteMesh mesh(sites, 2);
-  Judge judge(*exact, mesh);
+  ExactSearch exact_search(*exact, mesh);
   const SearchOptions search;
   const Progress progress;
   Report report;
-  const auto rows = findNeighbors({backend, judge, sites, search, 2, progress}, AtEmpty::ignore, report);
+  const auto rows =
+      findNeighbors({backend, exact_search, sites, search, 2, progress}, AtEmpty::ignore, report);
   EXPECT_TRUE(rows) << rows.error().message;
   return {rowsIn(**rows), report, backend.uploads};
 }
@@ -164,9 +165,9 @@ TEST(Tiles, LeaveCrowdedCellsToTheTriangulation) {
   const auto found = cellsInTiles(sites, all, all);
   const auto exact = openExactTier(0);
   SiteMesh mesh(sites, 2);
-  Judge judge(*exact, mesh);
+  ExactSearch exact_search(*exact, mesh);
   std::uint64_t exact_cells = 0;
-  const auto judged = judge.find(allOf(sites), Precision::in_double, 2, {}, exact_cells);
+  const auto judged = exact_search.find(allOf(sites), Precision::in_double, 2, {}, exact_cells);
   ASSERT_TRUE(judged);
   EXPECT_EQ(found.cells, rowsIn(*judged));
 }

@@ -17,8 +17,8 @@ namespace vorpipe::cpu {
 
 using namespace core;
 
-void findIn4Lanes(const LaneJob& job, bool roomy);
-void findWeightedIn4Lanes(const LaneJob& job, bool roomy);
+void findIn4Lanes(const LaneJob& job, bool large);
+void findWeightedIn4Lanes(const LaneJob& job, bool large);
 
 namespace {
 
@@ -121,13 +121,13 @@ struct OneByOne {
 };
 
 template <class Clip>
-void compare(const SiteSet& set, Effort effort) {
+void compare(const SiteSet& set, Capacity capacity) {
   std::vector<std::uint32_t> all(set.size());
   std::iota(all.begin(), all.end(), 0U);
   CellNeighbors found;
-  findOnGrid(set, all, effort, 2, found);
+  findOnGrid(set, all, capacity, 2, found);
   std::vector<CellStatus> widened(set.size());
-  statusesOnGrid(set, all, effort, 1e-3F, 2e-3F, 2, widened);
+  statusesOnGrid(set, all, capacity, 1e-3F, 2e-3F, 2, widened);
   OneByOne<Clip> one;
   std::vector<std::int32_t> neighbors;
   std::vector<std::int32_t> ignored;
@@ -144,10 +144,10 @@ void compare(const SiteSet& set, Effort effort) {
 void compareEfforts(const Sites& sites, const Box& domain = {0, 0, 1, 1}) {
   auto prepared = prepare(sites, domain, 2);
   ASSERT_TRUE(prepared);
-  compare<Clipper<float, EDGES_FAST>>(prepared->set, Effort::fast);
-  compare<Clipper<float, EDGES_MOST>>(prepared->set, Effort::roomy);
+  compare<Clipper<float, EDGES_FAST>>(prepared->set, Capacity::small);
+  compare<Clipper<float, EDGES_MOST>>(prepared->set, Capacity::large);
   prepared->set.coverage = {0.25, 0.25, 0.75, 0.5};
-  compare<Clipper<float, EDGES_FAST>>(prepared->set, Effort::fast);
+  compare<Clipper<float, EDGES_FAST>>(prepared->set, Capacity::small);
 }
 
 TEST(GridCells, areTheSameSideBySideAsOneByOne) {
@@ -185,10 +185,10 @@ TEST(GridCells, areTheSameSideBySideAsOneByOneWithWeights) {
       SCOPED_TRACE(most);
       SCOPED_TRACE(heavy);
       auto set = weightedSet(1500, most, heavy);
-      compare<WeightedClipper<EDGES_FAST>>(set, Effort::fast);
-      compare<WeightedClipper<EDGES_MOST>>(set, Effort::roomy);
+      compare<WeightedClipper<EDGES_FAST>>(set, Capacity::small);
+      compare<WeightedClipper<EDGES_MOST>>(set, Capacity::large);
       set.coverage = {0.25, 0.25, 0.75, 0.5};
-      compare<WeightedClipper<EDGES_FAST>>(set, Effort::fast);
+      compare<WeightedClipper<EDGES_FAST>>(set, Capacity::small);
     }
   }
 }

@@ -12,10 +12,10 @@
 namespace vorpipe::core {
 
 /// Gives the sites to the exact tier at the first request: most runs on even data never make one.
-class Judge {
+class ExactSearch {
  public:
   /// While this exists, no other caller may call exact.take(). `exact` and `mesh` outlive this.
-  Judge(ExactTier& exact, SiteMesh& mesh) : exact_(exact), mesh_(mesh), sites_(mesh.sites()) {}
+  ExactSearch(ExactTier& exact, SiteMesh& mesh) : exact_(exact), mesh_(mesh), sites_(mesh.sites()) {}
 
   /// Finds the cells of `which`, beginning with `precision`; each comes out certified or empty. Either
   /// precision may use the mesh. In double, it does so once the mesh is made, or if the cells are too many

@@ -1,4 +1,4 @@
-#include "cells/judge.h"
+#include "cells/exact_search.h"
 
 #include <algorithm>
 #include <cassert>
@@ -28,8 +28,8 @@ using Indices = std::vector<std::uint32_t>;
 
 }  // namespace
 
-void Judge::addFromMesh(const PartMesh& mesh, std::span<const std::uint32_t> which, int threads,
-                        NeighborRows& cells) const {
+void ExactSearch::addFromMesh(const PartMesh& mesh, std::span<const std::uint32_t> which, int threads,
+                              NeighborRows& cells) const {
   std::vector<std::uint8_t> is_wanted(sites_.size());
   Indices entry(sites_.size());
   for (std::uint32_t e = 0; e < which.size(); ++e) {
@@ -42,8 +42,8 @@ void Judge::addFromMesh(const PartMesh& mesh, std::span<const std::uint32_t> whi
   }
 }
 
-Result<NeighborRows> Judge::find(std::span<const std::uint32_t> which, Precision precision, int threads,
-                                 const Progress& progress, std::uint64_t& exact) {
+Result<NeighborRows> ExactSearch::find(std::span<const std::uint32_t> which, Precision precision, int threads,
+                                       const Progress& progress, std::uint64_t& exact) {
   NeighborRows cells(which.size(), threads);
   const bool few = !sites_.weight.empty() && sites_.size() <= few_weighted_sites && mesh_.isPossible();
   const bool pays = precision == Precision::exact
@@ -68,7 +68,7 @@ Result<NeighborRows> Judge::find(std::span<const std::uint32_t> which, Precision
   return cells;
 }
 
-bool Judge::findAmong(std::span<const std::uint32_t> which, int threads, NeighborRows& rows) {
+bool ExactSearch::findAmong(std::span<const std::uint32_t> which, int threads, NeighborRows& rows) {
   constexpr std::size_t grain = std::size_t{1} << 15;
   if (!mesh_.isPossible()) return false;
   std::vector<std::uint8_t> is_wanted(sites_.size());
@@ -96,23 +96,25 @@ bool Judge::findAmong(std::span<const std::uint32_t> which, int threads, Neighbo
   return !mesh.mesh.triangles.empty() && add(mesh);
 }
 
-ExactTier& Judge::ready() {
+ExactTier& ExactSearch::ready() {
   if (!ready_) exact_.take(sites_);
   ready_ = true;
   return exact_;
 }
 
-void Judge::nearest(const View& view, std::span<const std::uint32_t> pixels, std::span<std::uint32_t> sites) {
+void ExactSearch::nearest(const View& view, std::span<const std::uint32_t> pixels,
+                          std::span<std::uint32_t> sites) {
   ready().nearest(view, pixels, sites);
 }
 
-bool Judge::areMany(std::size_t cells) const {
+bool ExactSearch::areMany(std::size_t cells) const {
   const auto sites = sites_.weight.empty() ? sites_per_cell : sites_per_weighted_cell;
   return cells > sites_.size() / sites && mesh_.isPossible();
 }
 
-Result<std::vector<std::uint32_t>> Judge::findAlone(std::span<const std::uint32_t> which, Precision precision,
-                                                    const Progress& progress, NeighborRows& cells) {
+Result<std::vector<std::uint32_t>> ExactSearch::findAlone(std::span<const std::uint32_t> which,
+                                                          Precision precision, const Progress& progress,
+                                                          NeighborRows& cells) {
   Indices entries(which.size()), open;
   std::iota(entries.begin(), entries.end(), 0u);
   const auto work = [&](std::size_t begin, std::size_t count) -> Result<void> {
