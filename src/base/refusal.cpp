@@ -1,31 +1,14 @@
 #include "base/refusal.h"
 
+#include <array>
 #include <utility>
 
 namespace vorpipe {
 
 std::string_view nameOf(Subject subject) {
-  switch (subject) {
-    case Subject::none:
-      break;
-    case Subject::sites:
-      return "sites";
-    case Subject::weights:
-      return "weights";
-    case Subject::domain:
-      return "domain";
-    case Subject::outline:
-      return "outline";
-    case Subject::period:
-      return "period";
-    case Subject::density:
-      return "density";
-    case Subject::search:
-      return "search";
-    case Subject::masses:
-      return "masses";
-  }
-  return {};
+  constexpr std::array<std::string_view, 9> names{"",       "sites",   "weights", "domain", "outline",
+                                                  "period", "density", "search",  "masses"};
+  return names[static_cast<std::size_t>(subject)];
 }
 
 Error refusal(Subject subject, std::string message) {
