@@ -135,11 +135,8 @@ bool SelftestDevice::passed() const {
 bool SelftestDevice::isNamed(std::string_view device) const {
   if (device.empty()) return true;
   if (index < 0) return false;
-  int wanted = 0;
-  const auto [stop, error] = std::from_chars(device.data(), device.data() + device.size(), wanted);
-  if (error == std::errc() && stop == device.data() + device.size()) return index == wanted;
-  const auto lower = [](unsigned char letter) { return std::tolower(letter); };
-  return !std::ranges::search(info.name, device, {}, lower, lower).empty();
+  if (const auto wanted = wholeNumber<int>(device)) return index == *wanted;
+  return isPartOf(device, info.name);
 }
 
 bool SelftestReport::passed() const { return std::ranges::all_of(devices, &SelftestDevice::passed); }
