@@ -8,7 +8,7 @@ cmake_minimum_required(VERSION 3.25)
 set(kinds "^vorpipe(\\.h$|/)" "^base/" "^backend/registry/" "^c/")
 set(may_include
     "^vorpipe/"
-    "^(vorpipe\\.h|base/.*)$"
+    "^(vorpipe(/.*)?\\.h|base/.*)$"
     "^(vorpipe\\.h|base/try\\.h|backend/[^/]*\\.h|backend/registry/.*|backend/cpu/(cpu|exact_tier)\\.h|backend/vulkan/vulkan_backend\\.h|backend/opengl/opengl_backend\\.h)$"
     "^(vorpipe\\.h|vorpipe/.*|vorpipe_c\\.h|base/try\\.h|c/[^/]*|io/.*|selftest/selftest_json\\.h)$")
 
