@@ -41,16 +41,24 @@ def prepare_metadata_for_build_wheel(metadata_directory, config_settings=None):
 def build_wheel(wheel_directory, config_settings=None, metadata_directory=None):
     with tempfile.TemporaryDirectory() as folder:
         install(pathlib.Path(folder), config_settings or {})
-        files = {str(file.relative_to(folder)): file.read_bytes()
-                 for file in sorted(pathlib.Path(folder).rglob('*')) if file.is_file()}
+        return write_wheel(wheel_directory, files_of(folder), metadata_files(), tag())
+
+
+def files_of(folder):
+    return {str(file.relative_to(folder)): file.read_bytes()
+            for file in sorted(pathlib.Path(folder).rglob('*')) if file.is_file()}
+
+
+def write_wheel(wheel_directory, files, about, tag):
+    """Writes a wheel of files by their names in it, and of those about it by their names in its .dist-info."""
     info = f'vorpipe-{version()}.dist-info'
-    files |= {f'{info}/{name}': text for name, text in metadata_files().items()}
+    files = files | {f'{info}/{name}': text for name, text in about.items()}
     files[f'{info}/RECORD'] = record(files, f'{info}/RECORD')
-    wheel = f'vorpipe-{version()}-{tag()}.whl'
+    wheel = f'vorpipe-{version()}-{tag}.whl'
     with zipfile.ZipFile(pathlib.Path(wheel_directory, wheel), 'w', zipfile.ZIP_DEFLATED) as archive:
         for name, content in files.items():
             entry = zipfile.ZipInfo(name, OLDEST)
-            entry.external_attr = (0o755 if name.endswith('.so') else 0o644) << 16
+            entry.external_attr = (0o755 if '.so' in name else 0o644) << 16
             entry.compress_type = zipfile.ZIP_DEFLATED
             archive.writestr(entry, content)
     return wheel
@@ -82,21 +90,21 @@ def project():
     return tomllib.loads((ROOT / 'pyproject.toml').read_text())['project']
 
 
-def metadata():
-    """The project's table of pyproject.toml in the form of METADATA and PKG-INFO."""
+def metadata(dependencies=None):
+    """The project's table of pyproject.toml in the form of METADATA and PKG-INFO; `dependencies` instead of its own."""
     table = project()
     lines = ['Metadata-Version: 2.1', f'Name: {table["name"]}', f'Version: {version()}',
              f'Summary: {table["description"]}', f'Keywords: {",".join(table["keywords"])}', f'License: {table["license"]}',
              f'Requires-Python: {table["requires-python"]}']
     lines += [f'Classifier: {classifier}' for classifier in table['classifiers']]
-    lines += [f'Requires-Dist: {dependency}' for dependency in table['dependencies']]
+    lines += [f'Requires-Dist: {dependency}' for dependency in dependencies or table['dependencies']]
     lines += ['Description-Content-Type: text/markdown', '', (ROOT / table['readme']).read_text()]
     return '\n'.join(lines).encode()
 
 
-def metadata_files():
-    wheel = f'Wheel-Version: 1.0\nGenerator: wheel_of_cmake\nRoot-Is-Purelib: false\nTag: {tag()}\n'
-    return {'METADATA': metadata(), 'WHEEL': wheel.encode(), 'LICENSE': (ROOT / 'LICENSE').read_bytes()}
+def metadata_files(dependencies=None, of=None):
+    wheel = f'Wheel-Version: 1.0\nGenerator: wheel_of_cmake\nRoot-Is-Purelib: false\nTag: {of or tag()}\n'
+    return {'METADATA': metadata(dependencies), 'WHEEL': wheel.encode(), 'LICENSE': (ROOT / 'LICENSE').read_bytes()}
 
 
 def record(files, itself):

@@ -115,12 +115,12 @@ NOT_RUN = {
     'ctest --preset dev -R cli_cells': BUILDS,
     'cmake --preset release && cmake --build --preset release': BUILDS,
     'cmake --install build/release --prefix ~/.local': 'the test library_installed installs',
-    'src/package/make deb archive': BUILDS,
     'vorpipe/src/package/make deb': BUILDS,
     'sudo apt-get update': INSTALLS,
     'sudo apt-get install -y ./vorpipe/build/packages/vorpipe_*.deb libvulkan1 mesa-vulkan-drivers libegl1 \\\n'
     '  libopengl0 libgl1-mesa-dri': INSTALLS,
     'vorpipe selftest --quick --require vulkan-compute,opengl --json selftest.json': SELFTEST,
+    'src/package/make deb archive wheels': BUILDS,
 }
 
 
