@@ -18,12 +18,6 @@ namespace {
 
 using SharedCells = std::shared_ptr<CellsResult>;
 
-void requireDetail(const CellsResult& result, std::string_view extension, Detail detail) {
-  if (detail <= result.options.detail) return;
-  raiseInput("detail", fmt::format("{} takes cells that were computed with detail='{}'; these have '{}'",
-                                   extension, nameOf(detail), nameOf(result.options.detail)));
-}
-
 /// The property of a CellsResult that shows an array of its diagram.
 template <class Number, class Row>
 auto viewed(std::vector<Row> Diagram::*rows) {
@@ -57,6 +51,12 @@ std::string featureExtensions() {
 }
 
 }  // namespace
+
+void requireDetail(const CellsResult& result, std::string_view name, Detail detail) {
+  if (detail <= result.options.detail) return;
+  raiseInput("detail", fmt::format("{} takes cells that were computed with detail='{}'; these have '{}'",
+                                   name, nameOf(detail), nameOf(result.options.detail)));
+}
 
 Result<Topology> topologyOf(const CellsResult& result, int threads) {
   auto topology = vorpipe::topologyOf(result.diagram, threads);
@@ -114,6 +114,11 @@ void defineCells(py::module_& module) {
       .def_property_readonly("edge_lengths", viewed<double>(&Diagram::edge_lengths))
       .def_property_readonly("neighbor_shifts", viewed<std::int32_t>(&Diagram::neighbor_shifts))
       .def_property_readonly("ring_starts", viewed<std::int64_t>(&Diagram::ring_starts))
+      .def_property_readonly("vertices_in_plane",
+                             [](const SharedCells& result) {
+                               return viewOf<double>(result->diagram.vertices,
+                                                     std::shared_ptr<const CellsResult>(result));
+                             })
       .def_property_readonly("mass", viewed<double>(&Diagram::mass))
       .def_property_readonly("mass_centroids", viewed<double>(&Diagram::mass_centroid))
       .def_property_readonly("triangles", viewed<std::int32_t>(&Diagram::triangles))

@@ -28,7 +28,7 @@ std::string_view argumentOf(Subject subject) {
     case Subject::domain:
       return "domain";
     case Subject::outline:
-      return "outline";
+      return "domain";
     case Subject::period:
       return "periodic";
     case Subject::density:

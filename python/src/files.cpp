@@ -31,8 +31,8 @@ auto readBy(Read read) {
   return valueOf(std::move(found));
 }
 
-py::tuple outlineFrom(const std::string& path) {
-  auto [outline, system] = readBy([&] { return readOutline(path); });
+py::tuple outlineFrom(const std::string& path, const std::string& layer) {
+  auto [outline, system] = readBy([&] { return readOutline(path, layer); });
   return py::make_tuple(
       arrayOf<double>(std::move(outline.points)), arrayOf<std::uint64_t>(std::move(outline.ring_offsets)),
       arrayOf<std::uint64_t>(std::move(outline.polygon_offsets)), py::bytes(path), argumentsOf(system));
@@ -55,7 +55,7 @@ py::array weightsFrom(const std::string& path, std::uint64_t count) {
 
 void defineFiles(py::module_& module) {
   module.def("read_weights", &weightsFrom, py::arg("path"), py::arg("count"));
-  module.def("read_outline", &outlineFrom, py::arg("path"));
+  module.def("read_outline", &outlineFrom, py::arg("path"), py::arg("layer"));
   module.def("read_density", &densityFrom, py::arg("path"), py::arg("box"));
   module.def(
       "random_weights",

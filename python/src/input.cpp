@@ -55,8 +55,7 @@ void takeSites(const GivenPoints& points, const std::optional<SystemArguments>& 
                const DomainArguments& domain, Input& input) {
   if (const auto* const given = std::get_if<std::shared_ptr<Table>>(&points)) {
     const Table& table = **given;
-    // With an outline the box is what pictures show, and the outline has the sites.
-    const bool fills_box = table.generator && domain.box && !domain.outline;
+    const bool fills_box = table.generator && domain.box;
     input.sites = fills_box ? sitesOf(*table.generator, boxFrom(*domain.box)) : table.sites;
     input.from = table.generator ? SitesFrom::generator : SitesFrom::file;
     input.system = table.system;
@@ -103,11 +102,11 @@ DomainSettings settingsOf(const DomainArguments& arguments) {
 }
 
 /// The names that arguments of Python have.
-DomainWords wordsOf(const DomainArguments& arguments, const GivenPoints& points) {
+DomainWords wordsOf(const GivenPoints& points) {
   DomainWords words;
   const auto* const table = std::get_if<std::shared_ptr<Table>>(&points);
   words.sites = table == nullptr ? "points" : (*table)->name;
-  words.domain = arguments.outline ? "outline" : "domain";
+  words.domain = "domain";
   words.box = "domain=(xmin, ymin, xmax, ymax)";
   words.project_amid = "project=\"auto\"";
   words.project_around = "project=(lon, lat)";
@@ -115,14 +114,8 @@ DomainWords wordsOf(const DomainArguments& arguments, const GivenPoints& points)
   return words;
 }
 
-/// What only Python can be asked for: a box around an outline, which pictures show, and a period.
 void checkDomain(const DomainArguments& arguments, const Input& input) {
-  if (arguments.hull && arguments.outline)
-    raiseInput("domain", "the hull is an outline, and another is given");
   if (arguments.repair && !arguments.outline) raiseInput("repair", "is for an outline, and there is none");
-  if (arguments.box && arguments.outline && arguments.project) {
-    raiseInput("domain", "a projection takes it from the outline; give one of them");
-  }
   if (input.periodic != Periodic::none && input.from != SitesFrom::generator && !arguments.box) {
     raiseInput("domain", "a domain that repeats must be named: (xmin, ymin, xmax, ymax)");
   }
@@ -133,10 +126,9 @@ void takeDomain(const DomainArguments& arguments, const GivenPoints& points, Inp
   const DomainSettings settings = settingsOf(arguments);
   auto found = [&] {
     const WithoutGil no_gil;
-    return findDomain(settings, input, wordsOf(arguments, points));
+    return findDomain(settings, input, wordsOf(points));
   }();
   valueOf(std::move(found));
-  if (arguments.box && arguments.outline) input.domain = boxFrom(*arguments.box);
   if (!settings.outline_name.empty()) input.files.push_back(settings.outline_name);
 }
 
@@ -225,7 +217,7 @@ void defineInput(py::module_& module) {
                        const std::optional<SystemArguments>& system, bool free_surface) {
              auto input = inputOf(points, weights, domain, periodic, system);
              input->surface = free_surface ? Surface::free : Surface::none;
-             if (density) takeDensity(*density, wordsOf(domain, points), *input);
+             if (density) takeDensity(*density, wordsOf(points), *input);
              if (attributes) input->attributes = attributes;
              return input;
            }),
@@ -234,6 +226,14 @@ void defineInput(py::module_& module) {
       .def("__len__", [](const Input& input) { return input.sites.size(); })
       .def("kept", &keptOf, py::arg("kept"))
       .def_property_readonly("points", &givenPoints)
+      // As cells stand around them: in a periodic domain all within it.
+      .def_property_readonly("points_in_plane",
+                             [](const Input& input) {
+                               if (input.periodic == Periodic::none) return pointsOf(input.sites);
+                               return pointsOf(valueOf(wrapped(input.sites, input.domain, input.periodic)));
+                             })
+      .def_property_readonly("free_surface",
+                             [](const Input& input) { return input.surface == Surface::free; })
       .def_property_readonly("weights",
                              [](const std::shared_ptr<Input>& input) -> std::optional<py::array> {
                                if (input->sites.weight.empty()) return std::nullopt;

@@ -20,11 +20,15 @@ struct Colors {
   bool legend, fill;
 };
 
-Look lookOf(const std::optional<std::pair<int, int>>& size, const std::optional<std::string>& fit,
+/// Width and height, or the longer side alone.
+using SizeArguments = std::pair<int, std::optional<int>>;
+
+Look lookOf(const std::optional<SizeArguments>& size, const std::optional<std::string>& fit,
             const Colors& colors, const py::dict& marks, const std::string& search, int neighbors,
             const std::optional<std::array<double, 4>>& view) {
-  Look look;
-  if (size) look.size = PictureSize{size->first, size->second};
+  Look look{};
+  if (size && size->second) look.size = PictureSize{size->first, *size->second};
+  if (size && !size->second) look.longer_side = size->first;
   RenderOptions& options = look.options;
   if (fit) look.fit = chosen<Fit>("fit", *fit);
   options.color = chosen<ColorBy>("color", colors.by);
@@ -46,7 +50,9 @@ RenderOptions renderOptionsOf(const Look& look, const Input& input) {
   options.domain = input.domain;
   options.outline = input.outline;
   options.periodic = input.periodic;
-  const PictureSize size = look.size.value_or(defaultSize(shownBox(options)));
+  const Box shown = shownBox(options);
+  const PictureSize usual = look.longer_side > 0 ? sizeFor(shown, look.longer_side) : defaultSize(shown);
+  const PictureSize size = look.size.value_or(usual);
   options.width = size.width;
   options.height = size.height;
   options.fit = look.fit.value_or(usualFit(input));

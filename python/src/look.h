@@ -9,7 +9,8 @@
 namespace vorpipe::python {
 
 struct Look {
-  std::optional<PictureSize> size;  ///< none: the longer side 1000
+  std::optional<PictureSize> size;  ///< none: by the longer side
+  int longer_side;                  ///< 0: the usual one
   std::optional<Fit> fit;           ///< none: the usual one of sites that were read; arrays fill pictures
   RenderOptions options{};          ///< but what follows from the input
 };

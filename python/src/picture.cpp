@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <cstring>
 #include <string>
 #include <utility>
 #include <vector>
@@ -15,6 +16,7 @@
 #include "io/base/extension.h"
 #include "io/pictures/georeference.h"
 #include "io/pictures/picture_file.h"
+#include "io/pictures/png_file.h"
 #include "look.h"
 #include "members.h"
 #include "results.h"
@@ -39,11 +41,10 @@ py::array idsOf(const SharedPicture& result) {
   return viewOf<std::uint32_t>(image.ids.data(), {image.height, image.width}, asOwner(result));
 }
 
-/// Where the picture lies: xmin, xmax, ymin, ymax. The domain, and what stands beside it.
+/// Where the picture lies: xmin, xmax, ymin, ymax. The domain or the view, and what stands beside it.
 std::array<double, 4> extentOf(const PictureResult& result) {
   const auto& [width, height] = std::pair(result.options.width, result.options.height);
-  const PictureFrame frame = frameOf(result.options.domain, width, height, result.options.fit);
-  const PixelGrid grid = pixelGridOf(result.options.domain, frame);
+  const PixelGrid grid = pixelGridOf(shownBox(result.options), shownFrame(result.options));
   return {grid.left, grid.left + width * grid.width, grid.top - height * grid.height, grid.top};
 }
 
@@ -93,6 +94,20 @@ void saveShapes(const CellsResult& cells, const Look& look, const std::string& p
   saveFile(path, input.files, [&](ByteSink& sink) { return format.write(sink, output); });
 }
 
+/// Pixels of shape (H, W, 4) as the bytes of a PNG.
+py::bytes pngOf(const py::array_t<std::uint8_t, py::array::c_style>& rgba) {
+  const auto height = static_cast<int>(rgba.shape(0)), width = static_cast<int>(rgba.shape(1));
+  std::vector<std::uint32_t> pixels(static_cast<std::size_t>(rgba.size()) / 4);
+  std::memcpy(pixels.data(), rgba.data(), static_cast<std::size_t>(rgba.size()));
+  MemorySink sink(".png");
+  auto written = [&] {
+    const WithoutGil no_gil;
+    return writePng(sink, width, height, pixels);
+  }();
+  valueOf(std::move(written));
+  return sink.take();
+}
+
 }  // namespace
 
 const PictureFormat& shapesFormatOf(const std::string& path) {
@@ -130,6 +145,7 @@ void definePicture(py::module_& module) {
                              })
       .def("save", &savePicture, py::arg("path"))
       .def(pickles<PictureResult>());
+  module.def("png_of", &pngOf, py::arg("rgba"));
   module.def("save_shapes", &saveShapes, py::arg("cells"), py::arg("look"), py::arg("path"),
              py::arg("threads"));
   module.def("colormaps", &colormaps);

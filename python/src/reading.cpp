@@ -9,6 +9,7 @@
 #include <limits>
 #include <span>
 #include <string>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -18,6 +19,7 @@
 #include "io/cells/cell_polygons.h"
 #include "io/cells/cells_file.h"
 #include "members.h"
+#include "natural_neighbors.h"
 #include "results.h"
 #include "runs.h"
 #include "vorpipe/free_surface.h"
@@ -99,25 +101,58 @@ void leaveOutAir(const Sites& sites, std::span<const Point> places, std::vector<
   }
 }
 
-/// Places are of shape (P, 2), without gaps; in degrees, if the cells are of a projection.
-py::array find(const PlaceFinder& finder, const py::array_t<double, py::array::c_style>& places) {
-  const auto count = static_cast<std::size_t>(places.shape(0));
-  std::vector<std::uint32_t> sites(count);
-  const auto* first = reinterpret_cast<const Point*>(places.data());
+/// Of shape (P, 2), without gaps; in degrees, if the cells are of a projection.
+using Places = py::array_t<double, py::array::c_style>;
+
+std::span<const Point> spanOf(const Places& places) {
+  return {reinterpret_cast<const Point*>(places.data()), static_cast<std::size_t>(places.shape(0))};
+}
+
+/// Where they are in the plane of the cells; `room` is for those that a projection takes there.
+std::span<const Point> inPlane(const Input& input, std::span<const Point> places, std::vector<Point>& room) {
+  if (!input.projection) return places;
+  room.resize(places.size());
+  std::ranges::transform(places, room.begin(),
+                         [&](const Point& place) { return input.projection->toPlane(place); });
+  return room;
+}
+
+py::array find(const PlaceFinder& finder, const Places& places) {
+  const std::span<const Point> given = spanOf(places);
+  std::vector<std::uint32_t> sites(given.size());
   {
     const WithoutGil no_gil;
-    std::vector<Point> in_plane;
-    std::span<const Point> given(first, count);
-    if (const auto& projection = finder.input->projection) {
-      in_plane.resize(count);
-      std::transform(first, first + count, in_plane.begin(),
-                     [&](const Point& place) { return projection->toPlane(place); });
-      given = in_plane;
-    }
-    finder.locator.at(given, sites);
-    if (finder.input->surface == Surface::free) leaveOutAir(finder.input->sites, given, sites);
+    std::vector<Point> room;
+    const std::span<const Point> in_plane = inPlane(*finder.input, given, room);
+    finder.locator.at(in_plane, sites);
+    if (finder.input->surface == Surface::free) leaveOutAir(finder.input->sites, in_plane, sites);
   }
   return arrayOf<std::int64_t>(std::vector<std::int64_t>(sites.begin(), sites.end()));
+}
+
+/// Where the rows of places begin, the sites in them and their weights.
+std::tuple<py::array, py::array, py::array> naturalNeighborsOf(const CellsResult& cells, const Places& places,
+                                                               int threads) {
+  const Sites& sites = cells.input->sites;
+  const auto differs = [&](double weight) { return weight != sites.weight.front(); };
+  if (cells.options.periodic != Periodic::none) {
+    raiseInput("periodic", "natural neighbors are those of a plane that does not repeat itself");
+  }
+  if (std::ranges::any_of(sites.weight, differs)) {
+    raiseInput("weights", "natural neighbors are of points without weights");
+  }
+  requireDetail(cells, "natural_neighbors", Detail::everything);
+  const std::span<const Point> given = spanOf(places);
+  NaturalNeighbors found = [&] {
+    const WithoutGil no_gil;
+    const std::vector<Point> points = pointsIn(sites);
+    const auto adjacent = adjacentTriangles(cells.diagram.triangles, points.size());
+    const Delaunay mesh{flipped(points, cells.diagram.triangles, adjacent, true), points};
+    std::vector<Point> room;
+    return naturalNeighbors(mesh, inPlane(*cells.input, given, room), threads);
+  }();
+  return {arrayOf<std::int64_t>(std::move(found.offsets)), arrayOf<std::int32_t>(std::move(found.sites)),
+          arrayOf<double>(std::move(found.weights))};
 }
 
 /// The line around a cell of a free surface, in the plane: from, to, the angle of an arc, whose it is.
@@ -151,6 +186,8 @@ void defineReading(py::module_& module) {
   module.def("polygons_of", &polygonsOf, py::arg("cells"), py::arg("site"));
   module.def("topology_of", &topologyOfCells, py::arg("cells"), py::arg("threads"));
   module.def("locator_of", &locatorOf, py::arg("cells"), py::arg("threads"));
+  module.def("natural_neighbors", &naturalNeighborsOf, py::arg("cells"), py::arg("places"),
+             py::arg("threads"));
   module.def("border_of_cell", &borderOfCell, py::arg("cells"), py::arg("site"));
   module.def("bytes_of", &bytesOf, py::arg("cells"), py::arg("extension"), py::arg("only_cells"));
 }

@@ -25,11 +25,18 @@ using SharedRelaxed = std::shared_ptr<RelaxResult>;
 /// The sites as the caller has them: in degrees where they are projected.
 Sites shownSites(const RelaxResult& result) { return sitesInDegrees(*result.input, result.relaxed.sites); }
 
-py::array relaxedPoints(const RelaxResult& result) {
-  const Sites sites = shownSites(result);
-  std::vector<Point> rows;
-  for (std::size_t i = 0; i < sites.size(); ++i) rows.push_back({sites.x[i], sites.y[i]});
-  return arrayOf<double>(std::move(rows));
+py::array relaxedPoints(const RelaxResult& result) { return pointsOf(shownSites(result)); }
+
+/// The sites where they are now, for cells of the same domain.
+std::shared_ptr<Input> movedInput(const RelaxResult& result) {
+  auto input = std::make_shared<Input>(*result.input);
+  input->sites = result.relaxed.sites;
+  if (input->projection) {
+    const Sites shown = shownSites(result);
+    input->longitudes = shown.x;
+    input->latitudes = shown.y;
+  }
+  return input;
 }
 
 /// A column of the trace.
@@ -59,11 +66,7 @@ py::array takenSteps(const RelaxResult& result) {
 py::array drawnPoints(const DensityArguments& density, const std::array<double, 4>& box, std::uint64_t count,
                       std::uint64_t seed) {
   if (count > max_sites) raiseInput("n", fmt::format("{} points of at most {}", count, max_sites));
-  const Sites sites =
-      valueOf(drawnFrom(densityOf(density), {box[0], box[1], box[2], box[3]}, {}, count, seed));
-  std::vector<Point> rows;
-  for (std::size_t i = 0; i < sites.size(); ++i) rows.push_back({sites.x[i], sites.y[i]});
-  return arrayOf<double>(std::move(rows));
+  return pointsOf(valueOf(drawnFrom(densityOf(density), {box[0], box[1], box[2], box[3]}, {}, count, seed)));
 }
 
 }  // namespace
@@ -101,6 +104,7 @@ void defineRelaxing(py::module_& module) {
                              })
       .def_property_readonly(
           "input", [](const RelaxResult& result) { return std::const_pointer_cast<Input>(result.input); })
+      .def_property_readonly("moved", &movedInput)
       .def("save", &savePoints, py::arg("path"))
       .def(pickles<RelaxResult>());
   module.def("drawn_points", &drawnPoints, py::arg("density"), py::arg("box"), py::arg("n"), py::arg("seed"));

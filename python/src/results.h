@@ -4,6 +4,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -87,6 +88,9 @@ CellsOptions cellsOptionsOf(const Input& input);
 /// The format that the path's extension names. Throws InputError where there is none, it takes more detail
 /// than the cells have, or it has no records to leave out, as `only_cells` wants.
 const CellsFormat& formatOf(const CellsResult& result, const std::string& path, bool only_cells);
+
+/// Throws InputError where these cells have less detail than `name` takes.
+void requireDetail(const CellsResult& result, std::string_view name, Detail detail);
 
 /// What a file of these cells is written from.
 CellsOutput outputOf(const CellsResult& result, bool only_cells);

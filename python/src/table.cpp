@@ -125,11 +125,13 @@ std::optional<py::array> weightsOf(const SharedTable& table) {
 
 }  // namespace
 
-py::array pointsOf(const Sites& sites) {
+std::vector<Point> pointsIn(const Sites& sites) {
   std::vector<Point> points(sites.size());
   for (std::size_t i = 0; i < points.size(); ++i) points[i] = {sites.x[i], sites.y[i]};
-  return arrayOf<double>(std::move(points));
+  return points;
 }
+
+py::array pointsOf(const Sites& sites) { return arrayOf<double>(pointsIn(sites)); }
 
 void defineTable(py::module_& module) {
   py::class_<Table, SharedTable>(module, "Table", "Sites with all that is said of them.")

@@ -27,6 +27,8 @@ struct Table {
   bool of_caller = false;  ///< a program has it; else it was read
 };
 
+std::vector<Point> pointsIn(const Sites& sites);
+
 /// (N, 2), a copy.
 pybind11::array pointsOf(const Sites& sites);
 

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cstddef>
 
+#include "geometry/predicates.h"
 #include "triangle_signs.h"
 #include "triangles.h"
 
@@ -26,10 +27,10 @@ class Pair {
         second_(static_cast<std::size_t>(adjacent[first][corner])),
         beyond_(placeOf(adjacent[second_], first)) {}
 
-  [[nodiscard]] bool isWrong(std::span<const Point> points) const {
-    const Triangle& triangle = triangles_[first_];
-    return inCircle(points[triangle[0]], points[triangle[1]], points[triangle[2]],
-                    points[triangles_[second_][beyond_]]) > 0;
+  [[nodiscard]] bool isWrong(std::span<const Point> points, bool exactly) const {
+    const auto [i, j, k] = triangles_[first_];
+    const Point &a = points[i], &b = points[j], &c = points[k], &d = points[triangles_[second_][beyond_]];
+    return (exactly ? core::inCircle(a, b, c, d) : inCircle(a, b, c, d)) > 0;
   }
 
   /// The other diagonal of their quadrilateral takes the place of the common side.
@@ -66,7 +67,7 @@ class Pair {
 }  // namespace
 
 Mesh flipped(std::span<const Point> points, std::span<const Triangle> triangles,
-             std::span<const Adjacent> adjacent) {
+             std::span<const Adjacent> adjacent, bool exactly) {
   Mesh mesh{{triangles.begin(), triangles.end()}, {adjacent.begin(), adjacent.end()}};
   std::vector<std::size_t> next(triangles.size());
   for (std::size_t t = 0; t < next.size(); ++t) next[t] = t;
@@ -77,7 +78,7 @@ Mesh flipped(std::span<const Point> points, std::span<const Triangle> triangles,
     for (std::size_t k = 0; k < 3; ++k) {
       if (mesh.adjacent[t][k] < 0) continue;
       Pair pair(mesh.triangles, mesh.adjacent, t, k);
-      if (!pair.isWrong(points)) continue;
+      if (!pair.isWrong(points, exactly)) continue;
       pair.flip();
       for (const std::size_t member : pair.members()) next.push_back(member);
       break;

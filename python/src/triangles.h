@@ -30,9 +30,9 @@ struct Mesh {
 
 /// The Delaunay triangles as far as doubles can tell. A diagram's come near: where an edge between cells has
 /// less than 1e-6 of their sites' distance, its two triangles are a tie, and may be those on the other side
-/// of it.
+/// of it. With `exactly`, those that exact arithmetic tells.
 Mesh flipped(std::span<const Point> points, std::span<const Triangle> triangles,
-             std::span<const Adjacent> adjacent);
+             std::span<const Adjacent> adjacent, bool exactly = false);
 
 /// Whether each triangle lies between the hull and a point that is on it as far as doubles can tell.
 std::vector<std::uint8_t> flatOnHull(std::span<const Point> points, std::span<const Triangle> triangles,

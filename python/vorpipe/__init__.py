@@ -12,11 +12,13 @@ from ._diagram import Diagram, Status, Wall
 from ._errors import Cancelled, CheckError, DeviceError, Error, InputError
 from ._fluid import Fluid
 from ._functions import (Forecast, backends, cells, check, colormaps, compare, devices, draw, drawn_points, forecast,
-                         generate, random_weights, read_sites, read_weights, relax, render, selftest, transport)
+                         generate, random_weights, read_sites, read_weights, relax, render, selftest, transport,
+                         voronoi_polygons)
 from ._picture import Picture
 from ._points import Sites, read
 from ._relaxed import Relaxed
-from ._sessions import Session, close_sessions
+from ._sessions import Session
+from ._shared import close_sessions
 from ._transported import Transported
 from ._vorpipe import NO_SITE, __version__
 from ._warnings import InputWarning
@@ -26,5 +28,5 @@ __all__ = [
     'InputError', 'InputWarning', 'NO_SITE', 'Picture', 'Relaxed', 'Session', 'Sites', 'Status', 'Transported', 'Wall',
     '__version__', 'backends', 'cells', 'check', 'close_sessions', 'colormaps', 'compare', 'devices', 'draw',
     'drawn_points', 'forecast', 'generate', 'random_weights', 'read', 'read_sites', 'read_weights', 'relax', 'render',
-    'selftest', 'transport'
+    'selftest', 'transport', 'voronoi_polygons'
 ]

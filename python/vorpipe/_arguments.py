@@ -10,6 +10,7 @@ import numpy.typing as npt
 from . import _vorpipe
 from ._crs import System, system_of
 from ._scalars import MOST, flag_of, number_of, path_of, refuse, text_of, text_or_none, whole_of
+from ._warnings import deprecated
 
 Floats = npt.NDArray[np.float64]
 Bools = npt.NDArray[np.bool_]
@@ -19,6 +20,8 @@ Outline = Tuple[Floats, npt.NDArray[np.uint64], npt.NDArray[np.uint64], bytes, O
 #: values, the box of their pixels, the file, the system of that box
 Density = Tuple[Floats, Optional[Tuple[float, float, float, float]], bytes, Optional[System]]
 PathLike = Union[str, 'os.PathLike[str]']
+#: of a picture: the longer side, or (width, height)
+Size = Union[None, int, Sequence[int]]
 
 
 def listed(array: npt.NDArray[Any]) -> List[Any]:
@@ -76,11 +79,9 @@ def box_of(value: Any, argument: str = 'domain') -> Optional[Tuple[float, float,
     """(xmin, ymin, xmax, ymax)."""
     if value is None:
         return None
-    if isinstance(value, str):
-        either = 'neither "hull" nor' if argument == 'domain' else 'not'
-        raise refuse(argument, f'{value!r} is {either} 4 numbers: xmin, ymin, xmax, ymax')
-    if hasattr(value, '__geo_interface__'):
-        raise refuse(argument, f'a {type(value).__name__} is no box: a shape to clip cells to is an outline')
+    if isinstance(value, str) or hasattr(value, '__geo_interface__'):
+        shown = repr(value) if isinstance(value, str) else f'a {type(value).__name__}'
+        raise refuse(argument, f'{shown} is not 4 numbers: xmin, ymin, xmax, ymax')
     array = numbers(argument, value)
     if array.shape != (4,):
         raise refuse(argument, f'shape {array.shape}, must be 4 numbers: xmin, ymin, xmax, ymax')
@@ -113,12 +114,34 @@ def project_of(value: Any) -> Tuple[bool, Optional[Tuple[float, float]]]:
     return True, (longitude, latitude)
 
 
-def domain_of(domain: Any, outline: Any, margin: Union[None, float, str], repair: bool,
-              project: Any) -> _vorpipe.Domain:
+def domain_of(domain: Any, margin: Union[None, float, str] = None, repair: bool = False, project: Any = None,
+              layer: Optional[str] = None) -> _vorpipe.Domain:
+    """A box, "hull", or an outline."""
     hull = isinstance(domain, str) and domain == 'hull'
+    is_outline = domain is not None and not hull and _is_outline(domain)
+    if isinstance(domain, str) and not (hull or os.path.splitext(domain)[1]):
+        raise refuse('domain', f'{domain!r} is neither "hull" nor a file with an outline')
+    if layer is not None and not isinstance(domain, (str, os.PathLike)):
+        raise refuse('domain_layer', 'is for a GeoPackage, and the domain is no path')
     wanted, center = project_of(project)
-    return _vorpipe.Domain(None if hull else box_of(domain), hull, outline_of(outline), margin_of(margin),
+    return _vorpipe.Domain(None if hull or is_outline else box_of(domain), hull,
+                           outline_of(domain, layer) if is_outline else None, margin_of(margin),
                            flag_of('repair', repair), wanted, center)
+
+
+def _is_outline(domain: Any) -> bool:
+    """A box is a row of numbers."""
+    if isinstance(domain, (str, os.PathLike, Mapping)) or hasattr(domain, '__geo_interface__'):
+        return True
+    inside = domain[0] if isinstance(domain, (list, tuple, np.ndarray)) and len(domain) else None
+    return isinstance(inside, (list, tuple)) or np.ndim(inside) > 0 or hasattr(inside, '__geo_interface__')
+
+
+def detail_of(value: str) -> str:
+    if value == 'everything':
+        deprecated('detail="everything" is "all" now')
+        return 'all'
+    return text_of('detail', value)
 
 
 def range_of(value: Optional[Sequence[float]]) -> Optional[Tuple[float, float]]:
@@ -152,7 +175,7 @@ def options_of(usual: Mapping[str, Any], given: Mapping[str, Any]) -> Dict[str, 
     return options
 
 
-def look_of(size: Optional[Sequence[int]], color: str, *, colormap: str = 'viridis', color_scale: Optional[str] = None,
+def look_of(size: Size, color: str, *, colormap: str = 'viridis', color_scale: Optional[str] = None,
             color_range: Optional[Sequence[float]] = None, legend: bool = False, fit: Optional[str] = None,
             search: Any = 'grid', fill: bool = True, view: Optional[Sequence[float]] = None,
             **marks: Any) -> _vorpipe.Look:
@@ -202,18 +225,24 @@ def search_of(value: Any) -> Tuple[str, int]:
     return method, int(count)
 
 
-def size_of(value: Optional[Sequence[int]]) -> Optional[Tuple[int, int]]:
-    """(width, height)."""
+def size_of(value: Size) -> Optional[Tuple[int, Optional[int]]]:
+    """(width, height), or the longer side and None."""
     if value is None:
         return None
     try:
-        sides = width, height = tuple(value)
+        sides = (value,) if np.ndim(cast(Any, value)) == 0 and not isinstance(value, str) else tuple(cast(Any, value))
+        if len(sides) > 2 or not sides or isinstance(value, str):
+            raise ValueError
     except (TypeError, ValueError):
-        raise refuse('size', f'{value!r} is not (width, height) in pixels') from None
-    width, height = (whole_of('size', side, -MOST, MOST, 'is no number of pixels') for side in sides)
-    if min(width, height) < 1 or max(width, height) > _vorpipe.LARGEST_SIDE:
-        raise refuse('size', f'{width} x {height} pixels: must be 1 to {_vorpipe.LARGEST_SIDE} each')
-    return width, height
+        raise refuse('size', f'{value!r} is neither the longer side nor (width, height) in pixels') from None
+    pixels = [whole_of('size', side, -MOST, MOST, 'is no number of pixels') for side in sides]
+    if min(pixels) < 1 or max(pixels) > _vorpipe.LARGEST_SIDE:
+        raise refuse('size', f'{" x ".join(map(str, pixels))} pixels: must be 1 to {_vorpipe.LARGEST_SIDE} each')
+    return pixels[0], pixels[1] if len(pixels) > 1 else None
+
+
+def most_pixels(size: Optional[Tuple[int, Optional[int]]]) -> int:
+    return 0 if size is None else size[0] * (size[1] or size[0])
 
 
 def threads_of(value: Optional[int]) -> int:
@@ -289,16 +318,14 @@ def mask_of(disabled: Sequence[str], limits: Optional[Mapping[str, int]]) -> Mas
     return list(disabled), [(name, whole_of('limits', limit, 0, 2**64 - 1)) for name, limit in (limits or {}).items()]
 
 
-def outline_of(value: Any) -> Optional[Outline]:
+def outline_of(value: Any, layer: Optional[str] = None) -> Outline:
     """A path, what has a __geo_interface__, or coordinates nested like those of GeoJSON."""
-    if value is None:
-        return None
     if isinstance(value, (str, os.PathLike)):
-        return _vorpipe.read_outline(path_of(value, 'outline'))
+        return _vorpipe.read_outline(path_of(value, 'domain'), text_or_none('domain_layer', layer) or '')
     polygons = _polygons(getattr(value, '__geo_interface__', value))
     rings = [_ring(ring) for polygon in polygons for ring in polygon]
     if not rings:
-        raise refuse('outline', 'it has no ring')
+        raise refuse('domain', 'it has no ring')
     ring_offsets = np.cumsum([0] + [len(ring) for ring in rings], dtype=np.uint64)
     polygon_offsets = np.cumsum([0] + [len(polygon) for polygon in polygons], dtype=np.uint64)
     return np.concatenate(rings), ring_offsets, polygon_offsets, b'', system_of(getattr(value, 'crs', None))
@@ -308,6 +335,8 @@ def _polygons(value: Any) -> List[Any]:
     """Polygons, each a list of rings."""
     if isinstance(value, Mapping):
         return _polygons_of_geojson(value)
+    if isinstance(value, (list, tuple)) and value and hasattr(value[0], '__geo_interface__'):
+        return [polygon for part in value for polygon in _polygons(part.__geo_interface__)]
     depth, inside = 0, value
     # Deeper than polygons go, which a list that holds itself is too.
     while depth < 5 and not isinstance(inside, np.ndarray) and hasattr(inside, '__len__') and len(inside) > 0:
@@ -319,7 +348,7 @@ def _polygons(value: Any) -> List[Any]:
         return [value]
     if depth == 4:
         return list(value)
-    raise refuse('outline', 'neither a ring of shape (M, 2), nor a list of rings (a polygon, then its holes), nor a '
+    raise refuse('domain', 'neither a ring of shape (M, 2), nor a list of rings (a polygon, then its holes), nor a '
                             'list of such polygons')
 
 
@@ -335,14 +364,14 @@ def _polygons_of_geojson(value: Mapping[str, Any]) -> List[Any]:
         return [polygon for feature in value['features'] for polygon in _polygons_of_geojson(feature)]
     if kind == 'GeometryCollection':
         return [polygon for part in value['geometries'] for polygon in _polygons_of_geojson(part)]
-    raise refuse('outline', f'a {kind} is no polygon')
+    raise refuse('domain', f'a {kind} is no polygon')
 
 
 def _ring(value: Any) -> Floats:
     """Without the first point repeated at its end, and without heights."""
-    array = numbers('outline', value)
+    array = numbers('domain', value)
     if array.ndim != 2 or array.shape[1] not in (2, 3):
-        raise refuse('outline', f'a ring of shape {array.shape}, must be (M, 2)')
+        raise refuse('domain', f'a ring of shape {array.shape}, must be (M, 2)')
     array = array[:, :2]
     if len(array) > 1 and np.array_equal(array[0], array[-1]):
         array = array[:-1]

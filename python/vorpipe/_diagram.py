@@ -11,12 +11,14 @@ import numpy.typing as npt
 from . import _arguments, _attributes, _crs, _scalars, _tables, _vorpipe
 from ._arguments import Floats, PathLike
 from ._cell import Cell
-from ._kept import Kept
+from ._shown import MOST_EDGES, Shown, pixels_of_cells, smaller
 from ._warnings import warn
 
 if TYPE_CHECKING:
     import geopandas
+    import pandas
     from matplotlib.axes import Axes
+    from scipy.sparse import csr_array
 
 Integers = npt.NDArray[np.int64]
 
@@ -39,7 +41,7 @@ class Wall(enum.IntEnum):
     OUTLINE = -5
 
 
-class Diagram(Kept):
+class Diagram(Shown):
     """The cells of N points, in their order and units; made by `cells`.
 
     Arrays are read-only, and show the memory of the diagram without a copy; each keeps it alive. `array.copy()` can
@@ -48,10 +50,12 @@ class Diagram(Kept):
     `edge_lengths`. `diagram[i]` is one cell. It can be pickled, with all that it was made from.
     """
 
-    __slots__ = ('_cells', '_locator', '_attributes')
+    __slots__ = ('_cells', '_index', '_locator', '_attributes')
+    _made_of = ('_cells', '_index')
 
-    def __init__(self, cells: _vorpipe.Cells) -> None:
+    def __init__(self, cells: _vorpipe.Cells, index: Any = None) -> None:
         self._cells = cells
+        self._index = index
         self._locator: Optional[_vorpipe.Locator] = None
         self._attributes: Optional[Dict[str, npt.NDArray[Any]]] = None
 
@@ -72,11 +76,19 @@ class Diagram(Kept):
         report = self.report
         return f'<vorpipe.Diagram: {report.ok} cells of {len(self)} points, {report.backend}>'
 
+    def _pixels(self) -> Optional[npt.NDArray[np.uint8]]:
+        return pixels_of_cells(self._cells.input)
+
+    def _repr_svg_(self) -> Optional[str]:
+        if len(self) > MOST_EDGES or self.detail == 'measures':
+            return None
+        return smaller(_vorpipe.bytes_of(self._cells, '.svg', False).decode())
+
     def _status_of(self, site: int) -> Status:
         return Status(int(self.status[site]))
 
     def _needs(self, detail: str, name: str) -> None:
-        details = ('measures', 'polygons', 'everything')
+        details = ('measures', 'polygons', 'all')
         if details.index(self.detail) < details.index(detail):
             raise _scalars.refuse('detail', f'{name} takes detail={detail!r}, the cells were computed with '
                                               f'{self.detail!r}')
@@ -107,6 +119,11 @@ class Diagram(Kept):
         return self._attributes
 
     @property
+    def index(self) -> Optional[pandas.Index]:
+        """(N,): the labels of the points, where they came in a DataFrame, a GeoDataFrame or a GeoSeries; else None."""
+        return self._index
+
+    @property
     def crs(self) -> Optional[str]:
         """The coordinate reference system of all positions, as "EPSG:4326"; None where it is not known."""
         return _crs.name_of(self._cells.input.system)
@@ -124,7 +141,7 @@ class Diagram(Kept):
 
     @property
     def detail(self) -> str:
-        """ "measures", "polygons" or "everything": which arrays there are."""
+        """ "measures", "polygons" or "all": which arrays there are."""
         return self._cells.detail
 
     @property
@@ -202,7 +219,11 @@ class Diagram(Kept):
 
     @property
     def neighbor_shifts(self) -> npt.NDArray[np.int32]:
-        """(M, 2): of a periodic domain, how many widths and heights of it away the neighbor's image stands."""
+        """(M, 2): of a periodic domain, how many widths and heights of it the neighbor's image is off the neighbor.
+
+        A point that was given outside of the domain stands in it for this, whole periods away, and so do its vertices
+        and its centroid. (0, 2) of other domains.
+        """
         return self._cells.neighbor_shifts
 
     @property
@@ -216,7 +237,7 @@ class Diagram(Kept):
 
         None where all points lie on a line, or the domain is periodic.
         """
-        self._needs('everything', 'triangles')
+        self._needs('all', 'triangles')
         return self._cells.triangles
 
     def area_sum(self) -> float:
@@ -262,6 +283,44 @@ class Diagram(Kept):
         found = self._locator.find(wanted.reshape(-1, 2))
         return found if wanted.ndim == 2 else found[0]
 
+    # As matrices
+
+    def adjacency(self, lengths: bool = False) -> csr_array:
+        """(N, N): scipy's sparse matrix with a 1 where two cells share an edge, as in `neighbor_pairs`.
+
+        With `lengths` the length of what they share: rows then add up to perimeters less what is at walls. In a
+        periodic domain a cell may share edges with itself.
+        """
+        from ._matrices import adjacency
+        return adjacency(self, lengths)
+
+    def area_jacobian(self, by: str = 'weights') -> csr_array:
+        """The derivatives of the areas, sparse: by the weights (N, N), or by="points" (N, 2 N), x and y in turn.
+
+        By weights it is symmetric, -length / (2 distance) for two cells that share an edge, and each row adds up to 0.
+        With `project`, points are those of the plane, in kilometers. Walls stay where they are.
+        """
+        from ._matrices import area_jacobian
+        return area_jacobian(self, by)
+
+    def natural_neighbors(self, places: Any, threads: Optional[int] = None) -> csr_array:
+        """(P, N): Sibson's weights, sparse: what part of the cell that a place would have is each point's now.
+
+        Places are as in `locate`. Cells are those of the whole plane, whatever the domain, so that rows add up to 1,
+        and weights times points are the place itself. A row beyond the hull of the points is empty. For points without
+        weights, and detail="all".
+        """
+        from ._matrices import natural_neighbors
+        return natural_neighbors(self, places, threads)
+
+    def interpolate(self, values: Any, places: Any, threads: Optional[int] = None) -> Floats:
+        """(P,) or (P, K): what values (N,) or (N, K) at the points, or those of an attribute, are at places (P, 2).
+
+        By natural neighbors: smooth but at the points, exact for linear functions, NaN beyond the hull of the points.
+        """
+        from ._matrices import interpolated
+        return interpolated(self, values, places, threads)
+
     # To other programs
 
     def check(self, threads: Optional[int] = None) -> List[str]:
@@ -302,11 +361,18 @@ class Diagram(Kept):
         from ._shapes import shapely_polygons
         return shapely_polygons(self)
 
-    def to_geopandas(self, crs: Any = None) -> geopandas.GeoDataFrame:
-        """A GeoDataFrame: a row for each point, with x, y, weight, status, owner, area, mass, attributes and the cell.
+    def to_dataframe(self) -> pandas.DataFrame:
+        """A DataFrame of pandas: a row for each point, under its label, with place, status, measures and attributes.
 
-        Attributes have the names that files have them by: those of other columns begin with input_. `crs` is the
-        coordinate reference system of the points, in any form that GeoPandas takes; None for the diagram's own.
+        Columns have the names that files have them by; attributes of such names begin with input_.
+        """
+        from ._shapes import data_frame
+        return data_frame(self)
+
+    def to_geopandas(self, crs: Any = None) -> geopandas.GeoDataFrame:
+        """A GeoDataFrame: `to_dataframe` with the cells, in the diagram's coordinate reference system.
+
+        `crs` says what that is where the points did not, in any form that GeoPandas takes.
         """
         from ._shapes import geo_data_frame
         return geo_data_frame(self, crs)

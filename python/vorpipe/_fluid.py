@@ -9,7 +9,8 @@ from . import _arguments, _scalars, _vorpipe
 from ._arguments import Floats, PathLike
 from ._diagram import Diagram
 from ._picture import Picture
-from ._sessions import Progress, Session, backend_for, input_of, shared_session
+from ._sessions import Session, input_of
+from ._shared import Progress, backend_for, shared
 
 Named = Union[str, 'os.PathLike[str]']
 
@@ -68,7 +69,7 @@ class Fluid:
         else:
             if parcels is not None:
                 raise _scalars.refuse('parcels', 'is for cases; points are as many as there are')
-            given = input_of(begin, weights, _arguments.domain_of(domain, None, None, False, None), periodic,
+            given = input_of(begin, weights, _arguments.domain_of(domain), periodic,
                              surface=surface)
             count = len(given)
             setup = _vorpipe.FluidSetup.of(given, _arguments.vectors_of('velocities', velocities, count),
@@ -82,7 +83,8 @@ class Fluid:
         setup.choose(options, most, found, neighbors)
         if session is not None and not isinstance(session, Session):
             raise _scalars.refuse('session', f'a {type(session).__name__} is no Session')
-        self._session = session or shared_session(backend_for(backend, device, count), device, threads)
+        self._session = session or Session._around(shared(backend_for(backend, device, count), device, threads),
+                                                   threads)
         self._fluid = _vorpipe.begin_fluid(self._session._session, setup, _scalars.call_of('progress', progress))
 
     def __len__(self) -> int:
@@ -208,7 +210,7 @@ class Fluid:
 
     # What can be made of it
 
-    def cells(self, detail: str = 'everything', progress: Optional[Progress] = None) -> Diagram:
+    def cells(self, detail: str = 'all', progress: Optional[Progress] = None) -> Diagram:
         """The cells of the points where they are; with a free surface they end at discs."""
         return self._session.cells(self.points, self.weights, self.domain, periodic=self.periodic,
                                    surface=self.surface, detail=detail, progress=progress)

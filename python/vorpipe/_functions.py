@@ -1,30 +1,29 @@
 """The functions of the package."""
 from __future__ import annotations
 
-from typing import Any, List, Mapping, NamedTuple, Optional, Sequence, Sized, Tuple, Union, overload
+from typing import Any, List, Mapping, NamedTuple, Optional, Sequence, Tuple, Union, overload
 
 from . import _arguments, _scalars, _vorpipe
-from ._arguments import Floats, PathLike
+from ._arguments import Floats, PathLike, Size
 from ._diagram import Diagram
+from ._names import renamed
 from ._picture import Picture
-from ._points import generated, given, read_points
+from ._points import Given, generated, given, read_points
 from ._relaxed import Relaxed
-from ._sessions import Margin, Progress, Project, Session, StepCallback, backend_for, input_of, shared_session
+from ._sessions import Margin, Project, Session, StepCallback, input_of
+from ._shared import Device, Progress, backend_for, shared
 from ._transported import Transported
 
-Device = Union[None, int, str]
+def _session(backend: str, device: Device, threads: Optional[int], points: Given, pixels: int = 0) -> Session:
+    return Session._around(shared(backend_for(backend, device, len(points.taken), pixels), device, threads), threads)
 
 
-def _session(backend: str, device: Device, threads: Optional[int], points: Sized, pixels: int = 0) -> Session:
-    return shared_session(backend_for(backend, device, len(points), pixels), device, threads)
-
-
+@renamed(outline='domain')
 def cells(points: Any, weights: Any = None, domain: Any = None, periodic: Union[None, bool, str] = None,
-          density: Any = None, outline: Any = None, backend: str = 'auto', device: Device = None,
-          threads: Optional[int] = None, check: bool = False, detail: str = 'everything', search: str = 'grid',
-          progress: Optional[Progress] = None, attributes: Optional[Mapping[str, Any]] = None,
-          project: Project = None, margin: Margin = None, repair: bool = False, crs: Any = None,
-          surface: Optional[str] = None,
+          density: Any = None, backend: str = 'auto', device: Device = None, threads: Optional[int] = None,
+          check: bool = False, detail: str = 'all', search: str = 'grid', progress: Optional[Progress] = None,
+          attributes: Optional[Mapping[str, Any]] = None, project: Project = None, margin: Margin = None,
+          domain_layer: Optional[str] = None, repair: bool = False, crs: Any = None, surface: Optional[str] = None,
           density_box: Optional[Sequence[float]] = None) -> Diagram:
     """The cells of points: Voronoi cells (Thiessen polygons), with weights power (Laguerre) cells, in a domain.
 
@@ -34,32 +33,32 @@ def cells(points: Any, weights: Any = None, domain: Any = None, periodic: Union[
             `Sites`, which `read` made, or a path for it. All other columns are attributes.
         weights: (N,), in squared units of the points: the cell of point i is where |x - p_i|^2 - w_i is least. A
             radius r is the weight r^2.
-        domain: (xmin, ymin, xmax, ymax), or "hull", the convex hull of the points. Without it the box of the outline;
-            else that of the points, grown on every side by 5 % of its longer side.
+        domain: (xmin, ymin, xmax, ymax); "hull", the convex hull of the points; or an outline that cells are clipped
+            to: a path, a polygon of shapely, a GeoDataFrame or what else has a __geo_interface__, GeoJSON, a ring
+            (M, 2), a list of rings (a polygon, then its holes), or of such polygons. Polygons that touch or overlap are
+            dissolved. None for the box of the points, grown on every side by 5 % of its longer side.
         periodic: "x", "y" or "xy" (or True): the axes along which the domain repeats itself; it must be named then.
         density: (H, W), mass per unit of area, over the domain, row 0 at the top; or the path of a .png or .npy
             file, which a world file (.pgw, .tfw, .wld) or GDAL's .aux.xml beside it may place. Brings `mass` and
             `mass_centroids`.
-        outline: what cells are clipped to besides: a ring (M, 2), a list of rings (a polygon, then its holes), a
-            list of such polygons, GeoJSON, what has a __geo_interface__ (as shapely's polygons), or a path. Polygons
-            that touch or overlap are dissolved.
         backend: "auto", "vulkan", "vulkan-compute", "vulkan-geometry", "opengl" or "cpu". The cells are the same from
             each. "auto" takes "cpu" for up to 100,000 points, beyond that the best.
         device: an index or a part of a name, as `devices` lists them; None for the best.
         threads: of the processor; None for all.
         check: verifies the cells, with nothing of what computes them.
         detail: "measures" (status, owner, areas, centroids, offsets, neighbors), "polygons" (and perimeters, second
-            moments, vertices, edge lengths) or "everything" (and triangles). What is not wanted costs no time.
+            moments, vertices, edge lengths) or "all" (and triangles). What is not wanted costs no time.
         search: how the sites that may cut a cell are found: "grid", "flann" or "flann:K".
         progress: called with a stage's name and the part done, from 0 to 1; returning False stops the run.
         attributes: further columns, N values each, by their names: a dict or a DataFrame. They are kept for files
             and for `Diagram.to_geopandas`.
-        project: points, domain and outline are in degrees of longitude and latitude. Cells are those of an
+        project: points and domain are in degrees of longitude and latitude. Cells are those of an
             equal-area plane around (longitude, latitude), or with "auto" around their middle. Positions come back in
             degrees, areas and lengths in (square) kilometers.
         margin: by how much the box or the hull of the points is grown on every side: a length, or "10%" of the longer
             side.
-        repair: mends rings of the outline that cross themselves, which are refused otherwise.
+        domain_layer: of a GeoPackage with several that have polygons.
+        repair: mends rings of an outline that cross themselves, which are refused otherwise.
         crs: the coordinate reference system of the points, as "EPSG:4326"; that of `Sites` is known.
         density_box: (xmin, ymin, xmax, ymax), where the pixels of the density lie, in the unit of the domain, with
             `project` in kilometers of its plane; beyond it there is nothing.
@@ -79,26 +78,28 @@ def cells(points: Any, weights: Any = None, domain: Any = None, periodic: Union[
     """
     points = given(points)
     session = _session(backend, device, threads, points)
-    return session.cells(points, weights, domain, periodic=periodic, density=density, outline=outline, check=check,
+    return session.cells(points, weights, domain, periodic=periodic, density=density, check=check,
                          detail=detail, search=search, progress=progress, attributes=attributes, project=project,
-                         margin=margin, repair=repair, crs=crs, surface=surface,
+                         margin=margin, domain_layer=domain_layer, repair=repair, crs=crs, surface=surface,
                          density_box=density_box)
 
 
-def render(points: Any, weights: Any = None, domain: Any = None, size: Optional[Sequence[int]] = None,
-           color: str = 'site', colormap: str = 'viridis', edges: bool = False, show_sites: bool = False,
-           periodic: Union[None, bool, str] = None, outline: Any = None, backend: str = 'auto',
-           device: Device = None, threads: Optional[int] = None, check: bool = False, search: str = 'grid',
+@renamed(outline='domain')
+def render(points: Any, weights: Any = None, domain: Any = None, size: Size = None, color: str = 'site',
+           colormap: str = 'viridis', edges: bool = False, show_sites: bool = False,
+           periodic: Union[None, bool, str] = None, backend: str = 'auto', device: Device = None,
+           threads: Optional[int] = None, check: bool = False, search: str = 'grid',
            progress: Optional[Progress] = None, color_scale: Optional[str] = None,
            color_range: Optional[Sequence[float]] = None, legend: bool = False, edge_width: float = 1,
            dot_size: Optional[float] = None, fit: Optional[str] = None, project: Project = None, margin: Margin = None,
-           repair: bool = False, crs: Any = None, antialias: int = 1, dual: bool = False,
-           labels: bool = False, label_size: float = 10, fill: bool = True,
+           domain_layer: Optional[str] = None, repair: bool = False, crs: Any = None, antialias: int = 1,
+           dual: bool = False, labels: bool = False, label_size: float = 10, fill: bool = True,
            view: Optional[Sequence[float]] = None, surface: Optional[str] = None) -> Picture:
     """A picture of the cells, and whose cell each pixel is in.
 
     Args:
-        size: (width, height) in pixels, up to 32768 each; else the longer side 1000, in the domain's shape.
+        size: (width, height) in pixels, up to 32768 each, or the longer side, in the shape of the domain or the view;
+            None for 1000.
         color: by "site", "area", "neighbors" or "weight".
         colormap: one of `colormaps()`, for the last three.
         edges: darkens pixels beside which another cell begins.
@@ -123,26 +124,26 @@ def render(points: Any, weights: Any = None, domain: Any = None, size: Optional[
     With `project`, the picture is of the plane. All others are as in `cells`; "auto" takes "cpu" for up to 100,000
     points and 4 million pixels.
     """
-    wanted = _arguments.size_of(size)
+    pixels = _arguments.most_pixels(_arguments.size_of(size))
     points = given(points)
-    session = _session(backend, device, threads, points, wanted[0] * wanted[1] if wanted else 0)
-    return session.render(points, weights, domain, size=wanted, color=color, colormap=colormap, edges=edges,
-                          show_sites=show_sites, periodic=periodic, outline=outline, check=check, search=search,
-                          progress=progress, color_scale=color_scale, color_range=color_range, legend=legend,
-                          edge_width=edge_width, dot_size=dot_size, fit=fit, project=project, margin=margin,
-                          repair=repair, crs=crs, antialias=antialias, dual=dual, labels=labels,
-                          label_size=label_size, fill=fill, view=view, surface=surface)
+    session = _session(backend, device, threads, points, pixels)
+    return session.render(points, weights, domain, size=size, color=color, colormap=colormap, edges=edges,
+                          show_sites=show_sites, periodic=periodic, check=check, search=search, progress=progress,
+                          color_scale=color_scale, color_range=color_range, legend=legend, edge_width=edge_width,
+                          dot_size=dot_size, fit=fit, project=project, margin=margin, domain_layer=domain_layer,
+                          repair=repair, crs=crs, antialias=antialias, dual=dual, labels=labels, label_size=label_size,
+                          fill=fill, view=view, surface=surface)
 
 
-def draw(points: Any, path: PathLike, weights: Any = None, domain: Any = None, size: Optional[Sequence[int]] = None,
-         color: str = 'site', colormap: str = 'viridis', edges: bool = False, show_sites: bool = False,
-         periodic: Union[None, bool, str] = None, outline: Any = None, backend: str = 'auto', device: Device = None,
-         threads: Optional[int] = None, check: bool = False, search: str = 'grid',
-         progress: Optional[Progress] = None, color_scale: Optional[str] = None,
-         color_range: Optional[Sequence[float]] = None, legend: bool = False, edge_width: float = 1,
-         dot_size: Optional[float] = None, fit: Optional[str] = None, project: Project = None, margin: Margin = None,
-         repair: bool = False, crs: Any = None, antialias: int = 1, dual: bool = False,
-         labels: bool = False, label_size: float = 10, fill: bool = True,
+@renamed(outline='domain')
+def draw(points: Any, path: PathLike, weights: Any = None, domain: Any = None, size: Size = None, color: str = 'site',
+         colormap: str = 'viridis', edges: bool = False, show_sites: bool = False,
+         periodic: Union[None, bool, str] = None, backend: str = 'auto', device: Device = None,
+         threads: Optional[int] = None, check: bool = False, search: str = 'grid', progress: Optional[Progress] = None,
+         color_scale: Optional[str] = None, color_range: Optional[Sequence[float]] = None, legend: bool = False,
+         edge_width: float = 1, dot_size: Optional[float] = None, fit: Optional[str] = None, project: Project = None,
+         margin: Margin = None, domain_layer: Optional[str] = None, repair: bool = False, crs: Any = None,
+         antialias: int = 1, dual: bool = False, labels: bool = False, label_size: float = 10, fill: bool = True,
          view: Optional[Sequence[float]] = None, surface: Optional[str] = None) -> Diagram:
     """Draws the cells as shapes, into a file: .svg or .pdf. Returns the cells, with detail="polygons".
 
@@ -151,19 +152,20 @@ def draw(points: Any, path: PathLike, weights: Any = None, domain: Any = None, s
     points = given(points)
     session = _session(backend, device, threads, points)
     return session.draw(points, path, weights, domain, size=size, color=color, colormap=colormap, edges=edges,
-                        show_sites=show_sites, periodic=periodic, outline=outline, check=check, search=search,
-                        progress=progress, color_scale=color_scale, color_range=color_range, legend=legend,
-                        edge_width=edge_width, dot_size=dot_size, fit=fit, project=project, margin=margin,
-                        repair=repair, crs=crs, antialias=antialias, dual=dual, labels=labels,
-                        label_size=label_size, fill=fill, view=view, surface=surface)
+                        show_sites=show_sites, periodic=periodic, check=check, search=search, progress=progress,
+                        color_scale=color_scale, color_range=color_range, legend=legend, edge_width=edge_width,
+                        dot_size=dot_size, fit=fit, project=project, margin=margin, domain_layer=domain_layer,
+                        repair=repair, crs=crs, antialias=antialias, dual=dual, labels=labels, label_size=label_size,
+                        fill=fill, view=view, surface=surface)
 
 
+@renamed(outline='domain')
 def relax(points: Any, weights: Any = None, domain: Any = None, periodic: Union[None, bool, str] = None,
-          density: Any = None, outline: Any = None, method: str = 'lbfgs', iterations: int = 50, tolerance: float = 0,
+          density: Any = None, method: str = 'lbfgs', iterations: int = 50, tolerance: float = 0,
           equal_masses: bool = False, backend: str = 'auto', device: Device = None, threads: Optional[int] = None,
           search: str = 'grid', progress: Optional[Progress] = None, attributes: Optional[Mapping[str, Any]] = None,
-          project: Project = None, margin: Margin = None, repair: bool = False, crs: Any = None,
-          density_box: Optional[Sequence[float]] = None) -> Relaxed:
+          project: Project = None, margin: Margin = None, domain_layer: Optional[str] = None, repair: bool = False,
+          crs: Any = None, density_box: Optional[Sequence[float]] = None) -> Relaxed:
     """Moves points until each is the centroid of its cell: cells become alike, and nearly regular hexagons.
 
     Args:
@@ -180,20 +182,20 @@ def relax(points: Any, weights: Any = None, domain: Any = None, periodic: Union[
     """
     points = given(points)
     session = _session(backend, device, threads, points)
-    return session.relax(points, weights, domain, periodic=periodic, density=density, outline=outline, method=method,
+    return session.relax(points, weights, domain, periodic=periodic, density=density, method=method,
                          iterations=iterations, tolerance=tolerance, equal_masses=equal_masses, search=search,
-                         progress=progress, attributes=attributes, project=project, margin=margin, repair=repair,
-                         crs=crs,
-                         density_box=density_box)
+                         progress=progress, attributes=attributes, project=project, margin=margin,
+                         domain_layer=domain_layer, repair=repair, crs=crs, density_box=density_box)
 
 
+@renamed(outline='domain')
 def transport(points: Any, masses: Any = None, density: Any = None, domain: Any = None, weights: Any = None,
               tolerance: float = 1e-8, diagrams: int = 400, normalize: bool = False, surface: Optional[str] = None,
               fill: Optional[float] = None, callback: Optional[StepCallback] = None,
-              periodic: Union[None, bool, str] = None, outline: Any = None, backend: str = 'auto',
-              device: Device = None, threads: Optional[int] = None, search: str = 'grid',
-              progress: Optional[Progress] = None, attributes: Optional[Mapping[str, Any]] = None,
-              project: Project = None, margin: Margin = None, repair: bool = False, crs: Any = None,
+              periodic: Union[None, bool, str] = None, backend: str = 'auto', device: Device = None,
+              threads: Optional[int] = None, search: str = 'grid', progress: Optional[Progress] = None,
+              attributes: Optional[Mapping[str, Any]] = None, project: Project = None, margin: Margin = None,
+              domain_layer: Optional[str] = None, repair: bool = False, crs: Any = None,
               density_box: Optional[Sequence[float]] = None, skip_zero: bool = False) -> Transported:
     """The weights that give each cell its mass: semi-discrete optimal transport.
 
@@ -220,9 +222,35 @@ def transport(points: Any, masses: Any = None, density: Any = None, domain: Any 
     session = _session(backend, device, threads, points)
     return session.transport(points, masses, density, domain, weights, tolerance=tolerance, diagrams=diagrams,
                              normalize=normalize, surface=surface, fill=fill, callback=callback, periodic=periodic,
-                             outline=outline, search=search, progress=progress, attributes=attributes,
-                             project=project, margin=margin, repair=repair, crs=crs, density_box=density_box,
+                             search=search, progress=progress, attributes=attributes, project=project, margin=margin,
+                             domain_layer=domain_layer, repair=repair, crs=crs, density_box=density_box,
                              skip_zero=skip_zero)
+
+
+def voronoi_polygons(points: Any, domain: Any = None, *, extend_to: Any = None, only_edges: bool = False,
+                     **options: Any) -> Any:
+    """A GeoDataFrame or GeoSeries of points with their cells in place of the points.
+
+    As the method of GeoPandas of this name, but each row keeps its cell, its label, its other columns and the
+    coordinate reference system. A point without a cell has an empty polygon; of a row with several points each has one.
+
+    Args:
+        points: a GeoDataFrame or a GeoSeries.
+        domain: what cells are clipped to, as in `cells`: a box, "hull", or an outline, as a GeoDataFrame in the same
+            system.
+        extend_to: a geometry or a box that the box around the points is to hold as well, where there is no domain.
+        only_edges: a GeoSeries of lines instead, each edge of the cells once.
+        options: as in `cells`. Of points in degrees project="auto" makes cells in an equal-area plane; without it
+            degrees are taken as a plane, with a warning.
+    """
+    from ._shapes import extended_box, with_cells
+    if not (hasattr(points, 'geometry') and hasattr(points, 'index') and hasattr(points, 'crs')):
+        raise _scalars.refuse('points', f'a {type(points).__name__} is neither a GeoDataFrame nor a GeoSeries')
+    if extend_to is not None:
+        if domain is not None:
+            raise _scalars.refuse('extend_to', 'is for a box around the points, and a domain is given')
+        domain = extended_box(given(points), extend_to)
+    return with_cells(points, cells(points, domain=domain, detail='polygons', **options), only_edges)
 
 
 def drawn_points(density: Any, n: int, domain: Optional[Sequence[float]] = None, seed: int = 1,
@@ -297,23 +325,24 @@ class Forecast(NamedTuple):
         return self.bytes <= self.available
 
 
+@renamed(outline='domain')
 def forecast(points: Any, weights: Any = None, domain: Any = None, periodic: Union[None, bool, str] = None,
-             density: Any = None, outline: Any = None, backend: str = 'auto', device: Device = None,
-             threads: Optional[int] = None, check: bool = False, detail: str = 'everything', *, picture: bool = False,
-             size: Optional[Sequence[int]] = None, color: str = 'site', edges: bool = False, antialias: int = 1,
+             density: Any = None, backend: str = 'auto', device: Device = None,
+             threads: Optional[int] = None, check: bool = False, detail: str = 'all', *, picture: bool = False,
+             size: Size = None, color: str = 'site', edges: bool = False, antialias: int = 1,
              dual: bool = False, labels: bool = False, label_size: float = 10) -> Forecast:
     """How much memory `cells` takes with these arguments, or with `picture=True` `render`; Python's own not counted."""
-    wanted = _arguments.size_of(size)
+    pixels = _arguments.most_pixels(_arguments.size_of(size))
     points = given(points)
-    session = _session(backend, device, threads, points, wanted[0] * wanted[1] if wanted else 0)
-    taken = input_of(points, weights, _arguments.domain_of(domain, outline, None, False, None), periodic,
+    session = _session(backend, device, threads, points, pixels)
+    taken = input_of(points, weights, _arguments.domain_of(domain), periodic,
                      None if picture else density)
     count, flag = _arguments.threads_of(threads), _scalars.flag_of('check', check)
     if picture:
-        look = _arguments.look_of(wanted, color, edges=edges, antialias=antialias, dual=dual, labels=labels,
+        look = _arguments.look_of(size, color, edges=edges, antialias=antialias, dual=dual, labels=labels,
                                   label_size=label_size)
         return Forecast(*_vorpipe.forecast_picture(session._session, taken, look, flag, count))
-    return Forecast(*_vorpipe.forecast_cells(session._session, taken, _scalars.text_of('detail', detail), flag, count))
+    return Forecast(*_vorpipe.forecast_cells(session._session, taken, _arguments.detail_of(detail), flag, count))
 
 
 def generate(pattern: str, n: int, seed: int = 1, domain: Optional[Sequence[float]] = None) -> Floats:

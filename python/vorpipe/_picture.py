@@ -8,13 +8,13 @@ import numpy.typing as npt
 
 from . import _arguments, _scalars, _vorpipe
 from ._arguments import Floats, PathLike
-from ._kept import Kept
+from ._shown import Shown, fewer
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
 
-class Picture(Kept):
+class Picture(Shown):
     """A picture of the cells of N points; made by `render`.
 
     Arrays are read-only, and show the memory of the picture without a copy; each keeps it alive. Row 0 is the top,
@@ -22,6 +22,7 @@ class Picture(Kept):
     """
 
     __slots__ = ('_picture',)
+    _made_of = ('_picture',)
 
     def __init__(self, picture: _vorpipe.Picture) -> None:
         self._picture = picture
@@ -29,6 +30,9 @@ class Picture(Kept):
     def __repr__(self) -> str:
         height, width = self.ids.shape
         return f'<vorpipe.Picture: {width} x {height} pixels, {self.report.backend}>'
+
+    def _pixels(self) -> npt.NDArray[np.uint8]:
+        return fewer(self.rgba)
 
     @property
     def rgba(self) -> npt.NDArray[np.uint8]:
@@ -57,13 +61,13 @@ class Picture(Kept):
 
     @property
     def domain(self) -> Tuple[float, float, float, float]:
-        """(xmin, ymin, xmax, ymax): what is drawn."""
+        """(xmin, ymin, xmax, ymax): where there are cells."""
         xmin, ymin, xmax, ymax = self._picture.input.domain
         return xmin, ymin, xmax, ymax
 
     @property
     def extent(self) -> Tuple[float, float, float, float]:
-        """(xmin, xmax, ymin, ymax) of all pixels: the domain, and what stands beside it."""
+        """(xmin, xmax, ymin, ymax) of all pixels: the domain or the view, and what stands beside it."""
         xmin, xmax, ymin, ymax = self._picture.extent
         return xmin, xmax, ymin, ymax
 

@@ -3,7 +3,7 @@ from __future__ import annotations
 
 import math
 import os
-from typing import Any, Dict, Iterable, List, Mapping, Optional, Sequence, Union
+from typing import Any, Dict, Iterable, List, Mapping, NamedTuple, Optional, Sequence, Union
 
 import numpy.typing as npt
 
@@ -22,6 +22,7 @@ class Sites(Kept):
     """
 
     __slots__ = ('_table', '_attributes')
+    _made_of = ('_table',)
 
     def __init__(self, table: _vorpipe.Table) -> None:
         self._table = table
@@ -132,16 +133,30 @@ def generated(pattern: str, count: int, seed: int, box: Optional[Sequence[float]
     return table.points_in(into)
 
 
-def given(points: Any) -> Union[Floats, _vorpipe.Table]:
-    """What any function takes for points: an array, or all that is said of them."""
-    if isinstance(points, _vorpipe.Table):
+class Given(NamedTuple):
+    """What any function takes for points."""
+
+    taken: Union[Floats, _vorpipe.Table]  #: an array, or all that is said of them
+    index: Any = None  #: of pandas', by point; None where there is none
+    rows: Any = None  #: of each point in what was given, where rows have several
+
+    @property
+    def places(self) -> Floats:
+        return self.taken.points if isinstance(self.taken, _vorpipe.Table) else self.taken
+
+
+def given(points: Any) -> Given:
+    if isinstance(points, Given):
         return points
     if isinstance(points, Sites):
-        return points._table
+        return Given(points._table)
     if isinstance(points, (str, os.PathLike)):
-        return read(points)._table
-    table = _tables.table_of(points)
-    if table is None:
-        return points_of(points)
-    warn(table.notes)
-    return table
+        return Given(read(points)._table)
+    found = _tables.table_of(points)
+    if found is None:
+        return Given(points_of(points))
+    warn(found.table.notes)
+    index: Any = getattr(points, 'index', None)
+    if not hasattr(index, 'take'):
+        return Given(found.table)
+    return Given(found.table, index if found.rows is None else index.take(found.rows), found.rows)

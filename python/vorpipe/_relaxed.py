@@ -1,21 +1,28 @@
 """Points that have moved."""
 from __future__ import annotations
 
-from typing import Optional
+from typing import Any, Optional
 
-from . import _vorpipe
+import numpy as np
+import numpy.typing as npt
+
+from . import _shared, _vorpipe
 from ._arguments import Bools, Floats, PathLike
-from ._kept import Kept
-from ._scalars import path_of
+from ._diagram import Diagram
+from ._scalars import call_of, path_of
+from ._shared import Progress
+from ._shown import Shown, pixels_of_cells
 
 
-class Relaxed(Kept):
+class Relaxed(Shown):
     """Where points have moved to, and how their energy fell; made by `relax`."""
 
-    __slots__ = ('_relaxed', '_points')
+    __slots__ = ('_relaxed', '_index', '_points')
+    _made_of = ('_relaxed', '_index')
 
-    def __init__(self, relaxed: _vorpipe.Relaxed) -> None:
+    def __init__(self, relaxed: _vorpipe.Relaxed, index: Any = None) -> None:
         self._relaxed = relaxed
+        self._index = index
         self._points: Optional[Floats] = None
 
     def __len__(self) -> int:
@@ -23,6 +30,9 @@ class Relaxed(Kept):
 
     def __repr__(self) -> str:
         return f'<vorpipe.Relaxed: {len(self)} points, {len(self.energy)} diagrams, {self.end}>'
+
+    def _pixels(self) -> Optional[npt.NDArray[np.uint8]]:
+        return pixels_of_cells(self._relaxed.moved)
 
     @property
     def points(self) -> Floats:
@@ -71,6 +81,11 @@ class Relaxed(Kept):
     def report(self) -> _vorpipe.Report:
         """What the run did; `notes` tells of points that were set elsewhere."""
         return self._relaxed.report
+
+    def cells(self, detail: str = 'all', progress: Optional[Progress] = None) -> Diagram:
+        """The cells of the points where they are now, in the same domain; as `vorpipe.cells`."""
+        return Diagram(_shared.shared_for(len(self)).cells(self._relaxed.moved, detail, 'grid', 30,
+                                                           call_of('progress', progress)), self._index)
 
     def save(self, path: PathLike) -> None:
         """Writes the points, their weights and attributes: .csv, .txt, .npy, .geojson, .geojsonl, .gpkg or .wkt."""

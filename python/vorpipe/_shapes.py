@@ -1,4 +1,4 @@
-"""Cells for shapely and GeoPandas, which are imported here alone."""
+"""Cells for pandas, shapely and GeoPandas, which are imported here alone."""
 from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any, Dict, List
@@ -6,9 +6,12 @@ from typing import TYPE_CHECKING, Any, Dict, List
 import numpy as np
 
 from . import _vorpipe
+from ._points import Given, given
+from ._scalars import flag_of, refuse
 
 if TYPE_CHECKING:
     import geopandas
+    import pandas
 
     from ._diagram import Diagram
 
@@ -35,9 +38,8 @@ def _shape(parts: List[Any]) -> Any:
     return MultiPolygon(parts) if len(parts) > 1 else parts[0] if parts else Polygon()
 
 
-def geo_data_frame(diagram: Diagram, crs: Any) -> geopandas.GeoDataFrame:
-    from geopandas import GeoDataFrame
-
+def columns_of(diagram: Diagram) -> Dict[str, Any]:
+    """By the names that files have them by."""
     x, y = diagram.points.T
     columns: Dict[str, Any] = {'x': x, 'y': y}
     if diagram.weights is not None:
@@ -45,9 +47,65 @@ def geo_data_frame(diagram: Diagram, crs: Any) -> geopandas.GeoDataFrame:
     columns['status'] = np.array(['ok', 'empty', 'duplicate'])[diagram.status]
     columns['owner'] = diagram.owner.astype(np.int64)
     columns['area'] = diagram.areas.copy()
+    if diagram.detail != 'measures':
+        columns['perimeter'] = diagram.perimeters.copy()
+    columns['centroid_x'], columns['centroid_y'] = diagram.centroids.T.copy()
+    columns['vertices'] = np.diff(diagram.offsets)
     if len(diagram.mass):
         columns['mass'] = diagram.mass.copy()
-    given = diagram._cells.input.attributes
-    if given is not None:
-        columns.update(zip(given.names_in_files, (values.copy() for values in diagram.attributes.values())))
-    return GeoDataFrame(columns, geometry=diagram.to_shapely(), crs=diagram.crs if crs is None else crs)
+        columns['mass_centroid_x'], columns['mass_centroid_y'] = diagram.mass_centroids.T.copy()
+    known = diagram._cells.input.attributes
+    if known is not None:
+        columns.update(zip(known.names_in_files, (values.copy() for values in diagram.attributes.values())))
+    return columns
+
+
+def data_frame(diagram: Diagram) -> pandas.DataFrame:
+    from pandas import DataFrame
+
+    return DataFrame(columns_of(diagram), index=diagram.index)
+
+
+def geo_data_frame(diagram: Diagram, crs: Any) -> geopandas.GeoDataFrame:
+    from geopandas import GeoDataFrame
+
+    return GeoDataFrame(columns_of(diagram), geometry=diagram.to_shapely(), index=diagram.index,
+                        crs=diagram.crs if crs is None else crs)
+
+
+def lines_of(diagram: Diagram) -> List[Any]:
+    """Each edge once."""
+    from shapely.geometry import LineString
+
+    shared = diagram.topology()
+    return [LineString(ends) for ends in shared.vertices[shared.edge_vertices]]
+
+
+def extended_box(points: Given, extend_to: Any) -> Any:
+    """The box of the points, grown as without a domain, and of what has `total_bounds` or `bounds`."""
+    bounds = getattr(extend_to, 'total_bounds', getattr(extend_to, 'bounds', extend_to))
+    try:
+        xmin, ymin, xmax, ymax = (float(side) for side in bounds)
+    except (TypeError, ValueError):
+        raise refuse('extend_to', f'a {type(extend_to).__name__} is neither a geometry nor a box') from None
+    places = points.places
+    low, high = places.min(axis=0), places.max(axis=0)
+    grown = 0.05 * max(high - low)
+    low, high = low - grown, high + grown
+    return min(xmin, low[0]), min(ymin, low[1]), max(xmax, high[0]), max(ymax, high[1])
+
+
+def with_cells(points: Any, diagram: Diagram, only_edges: bool) -> Any:
+    """The frame or series of points with cells in their place, or a series of edges."""
+    from geopandas import GeoSeries
+
+    if flag_of('only_edges', only_edges):
+        return GeoSeries(lines_of(diagram), crs=diagram.crs)
+    rows = given(points).rows
+    frame = points if rows is None else points.take(rows)
+    cells = GeoSeries(diagram.to_shapely(), index=frame.index, crs=diagram.crs, name=frame.geometry.name)
+    if not hasattr(frame, 'columns'):
+        return cells
+    frame = frame.copy()
+    frame[cells.name] = cells.values
+    return frame

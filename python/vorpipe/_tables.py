@@ -1,9 +1,10 @@
 """Points of other programs: tables that name their columns, as DataFrames, and geometries."""
 from __future__ import annotations
 
-from typing import Any, Dict, List, Mapping, Optional, Sequence, Tuple
+from typing import Any, Dict, List, Mapping, NamedTuple, Optional, Sequence, Tuple
 
 import numpy as np
+import numpy.typing as npt
 
 from . import _arguments, _attributes, _crs, _vorpipe
 from ._errors import InputError
@@ -13,7 +14,14 @@ from ._warnings import warn
 Columns = Mapping[Any, Any]
 
 
-def table_of(points: Any) -> Optional[_vorpipe.Table]:
+class Read(NamedTuple):
+    """What was found in a table."""
+
+    table: _vorpipe.Table
+    rows: Optional[npt.NDArray[np.int64]]  #: of each point, where rows have several
+
+
+def table_of(points: Any) -> Optional[Read]:
     """Of a table by names, of geometries and of GeoJSON; None of anything else, which may be an array."""
     if isinstance(points, Mapping) and isinstance(points.get('type'), str):
         return _table_of_geojson(points)
@@ -32,10 +40,11 @@ def places_of(value: Any, system: _crs.System) -> _arguments.Floats:
     """(P, 2) of an array, of geometries, or of a table by names; (2,) of one place. `system` is that of the diagram."""
     is_one = isinstance(getattr(value, 'geom_type', None), str) and value.geom_type == 'Point'
     try:
-        table = table_of([value] if is_one else value)
+        read = table_of([value] if is_one else value)
     except InputError as error:
         raise refuse('places', str(error).partition(': ')[2]) from None
-    if table is not None:
+    if read is not None:
+        table = read.table
         names = _vorpipe.differing_systems(table.system, system)
         if names is not None:
             raise refuse('places', f'they are in {names[0]}, the diagram in {names[1]}; take them to its system')
@@ -63,7 +72,7 @@ def _columns_of(value: Any) -> Optional[Columns]:
     return {name: value[name] for name in names}
 
 
-def _table_of_columns(columns: Columns) -> _vorpipe.Table:
+def _table_of_columns(columns: Columns) -> Read:
     """x, y and the weight by their names, as files have them; all others are attributes."""
     names = list(columns)
     found = _vorpipe.columns_named([_attributes.printable(str(name)) for name in names])
@@ -82,7 +91,7 @@ def _table_of_columns(columns: Columns) -> _vorpipe.Table:
     return _table(places, others, system, weights, are_radii, notes)
 
 
-def _table_by_place(columns: Columns) -> _vorpipe.Table:
+def _table_by_place(columns: Columns) -> Read:
     """Two columns whose names say nothing are x and y; numbers for names, as arrays have, are not worth a warning."""
     names = list(columns)
     if len(names) != 2:
@@ -95,13 +104,13 @@ def _table_by_place(columns: Columns) -> _vorpipe.Table:
     return _table(_pairs(columns[x], columns[y]), {}, None, None, False, notes)
 
 
-def _table_of_frame(geometry: Any, columns: Columns) -> _vorpipe.Table:
+def _table_of_frame(geometry: Any, columns: Columns) -> Read:
     """Of a GeoDataFrame: its geometries, and weights by the names that files of features have."""
     others = {name: column for name, column in columns.items() if name != getattr(geometry, 'name', 'geometry')}
     return _table_of_geometries(geometry, others, _crs.system_of(getattr(geometry, 'crs', None)))
 
 
-def _table_of_geojson(shape: Mapping[str, Any]) -> _vorpipe.Table:
+def _table_of_geojson(shape: Mapping[str, Any]) -> Read:
     """Properties are attributes."""
     features = shape['features'] if shape['type'] == 'FeatureCollection' else [shape]
     if shape['type'] not in ('FeatureCollection', 'Feature'):
@@ -113,7 +122,7 @@ def _table_of_geojson(shape: Mapping[str, Any]) -> _vorpipe.Table:
 
 
 def _table_of_geometries(geometries: Any, columns: Columns, system: Optional[_crs.System] = None, weights: Any = None,
-                         are_radii: bool = False, notes: Sequence[str] = ()) -> _vorpipe.Table:
+                         are_radii: bool = False, notes: Sequence[str] = ()) -> Read:
     """A MultiPoint is as many points, each with the values of its row."""
     places, counts = _places_of(geometries)
     others = dict(columns)
@@ -124,18 +133,19 @@ def _table_of_geometries(geometries: Any, columns: Columns, system: Optional[_cr
             weights, are_radii = _numbers(others.pop(name)), str(name).lower() == 'radius'
             if name not in ('weight', 'radius'):
                 notes = [*notes, f'points: {name!r} is taken as {str(name).lower()}']
+    rows = None
     if any(count != 1 for count in counts):
         rows = np.repeat(np.arange(len(counts)), counts)
         others = {name: _repeated(values, rows) for name, values in others.items()}
         weights = None if weights is None else weights[rows]
-    return _table(places, others, system, weights, are_radii, notes)
+    return _table(places, others, system, weights, are_radii, notes, rows)
 
 
 def _table(places: _arguments.Floats, columns: Columns, system: Optional[_crs.System], weights: Any, are_radii: bool,
-           notes: Sequence[str]) -> _vorpipe.Table:
+           notes: Sequence[str], rows: Optional[npt.NDArray[np.int64]] = None) -> Read:
     attributes = _attributes.attributes_of(columns, len(places)) or _vorpipe.Attributes()
-    return _vorpipe.Table(places, _arguments.weights_of(weights, len(places)), are_radii, attributes, system,
-                          list(notes))
+    return Read(_vorpipe.Table(places, _arguments.weights_of(weights, len(places)), are_radii, attributes, system,
+                               list(notes)), rows)
 
 
 def _repeated(values: Any, rows: Any) -> Any:

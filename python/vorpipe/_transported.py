@@ -1,27 +1,29 @@
 """Weights that give cells their masses."""
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any, Callable, Optional
+from typing import Any, Optional
 
+import numpy as np
 import numpy.typing as npt
 
-from . import _vorpipe
+from . import _shared, _vorpipe
 from ._arguments import Floats, PathLike
 from ._diagram import Diagram
-from ._kept import Kept
 from ._scalars import call_of, path_of
+from ._shared import Progress
+from ._shown import Shown, pixels_of_cells
 
-if TYPE_CHECKING:
-    from ._sessions import Session
 
-
-class Transported(Kept):
+class Transported(Shown):
     """The weights that give each cell its mass, and the way to them; made by `transport`."""
 
-    __slots__ = ('_found', '_session')
+    __slots__ = ('_found', '_index', '_session')
+    _made_of = ('_found', '_index')
 
-    def __init__(self, found: _vorpipe.Transported, session: Optional[Session] = None) -> None:
+    def __init__(self, found: _vorpipe.Transported, index: Any = None,
+                 session: Optional[_vorpipe.Session] = None) -> None:
         self._found = found
+        self._index = index
         self._session = session
 
     def __len__(self) -> int:
@@ -29,6 +31,9 @@ class Transported(Kept):
 
     def __repr__(self) -> str:
         return f'<vorpipe.Transported: {len(self)} points, {len(self.trace)} diagrams, {self.end}>'
+
+    def _pixels(self) -> Optional[npt.NDArray[np.uint8]]:
+        return pixels_of_cells(self._found.weighted)
 
     @property
     def weights(self) -> Floats:
@@ -84,17 +89,15 @@ class Transported(Kept):
         """ "free" where air is around the cells, else None."""
         return 'free' if self._found.free_surface else None
 
-    def cells(self, detail: str = 'everything', progress: Optional[Callable[[str, float], Optional[bool]]] = None
-              ) -> Diagram:
+    def cells(self, detail: str = 'all', progress: Optional[Progress] = None) -> Diagram:
         """The cells that have these masses, in the same domain; with a free surface they end at discs.
 
         Its session must be open; one that comes out of a pickle takes that of `vorpipe.cells`. `detail` and `progress`
         are as there.
         """
-        from ._sessions import backend_for, shared_session
-        session = self._session or shared_session(backend_for('auto', None, len(self)), None, None)
-        return Diagram(session._session.cells(self._found.weighted, detail, 'grid', 30,
-                                              call_of('progress', progress)))
+        session = self._session or _shared.shared_for(len(self))
+        return Diagram(session.cells(self._found.weighted, detail, 'grid', 30, call_of('progress', progress)),
+                       self._index)
 
     def save(self, path: PathLike) -> None:
         """Writes the points, these weights and attributes: .csv, .txt, .npy, .geojson, .geojsonl, .gpkg or .wkt."""

@@ -26,7 +26,7 @@ inline constexpr std::array<std::string_view, 4> names_of<Periodic>{"none", "x",
 template <>
 inline constexpr std::array<std::string_view, 2> names_of<Surface>{"none", "free"};
 template <>
-inline constexpr std::array<std::string_view, 3> names_of<Detail>{"measures", "polygons", "everything"};
+inline constexpr std::array<std::string_view, 3> names_of<Detail>{"measures", "polygons", "all"};
 template <>
 inline constexpr std::array<std::string_view, 2> names_of<Search>{"grid", "flann"};
 template <>

@@ -1,5 +1,6 @@
 """What is taken, and what is refused with the argument's name."""
 import inspect
+import json
 import pickle
 import types
 
@@ -28,7 +29,7 @@ def test_other_types_are_taken_as_the_numbers_that_they_are():
 def test_every_array_may_be_of_integers_and_booleans(kind):
     points, ones = np.array([[0, 0], [1, 0], [0, 1]], dtype=kind), np.array([1, 1, 1], dtype=kind)
     box, even = np.array([0, 0, 1, 1], dtype=kind), np.ones((2, 2), dtype=kind)
-    diagram = vorpipe.cells(points, ones, box, density=even, outline=np.array([(0, 0), (1, 0), (1, 1)], dtype=kind))
+    diagram = vorpipe.cells(points, ones, np.array([(0, 0), (1, 0), (1, 1)], dtype=kind), density=even)
     assert diagram.mass.sum() == pytest.approx(0.5) and diagram.weights.tolist() == [1, 1, 1]
     assert vorpipe.cells(points, domain=box).locate(np.array([[1, 0]], dtype=kind)).tolist() == [1]
     assert vorpipe.transport(points, masses=ones, domain=box, normalize=True).areas == pytest.approx(1 / 3)
@@ -66,17 +67,17 @@ WRONG = [
     ('weights', r'shape \(2,\), must be \(3,\)', {'weights': [1, 2]}),
     ('weights', 'not finite', {'weights': [1, 2, np.nan]}),
     ('domain', 'must be 4 numbers', {'domain': (0, 1)}),
-    ('domain', 'is an outline', {'domain': types.SimpleNamespace(__geo_interface__={})}),
+    ('domain', 'no polygon', {'domain': types.SimpleNamespace(__geo_interface__={})}),
     ('domain', '', {'domain': (1, 0, 0, 1)}),
     ('domain', 'a domain that repeats must be named', {'periodic': 'x'}),
     ('periodic', "'z' is none of none, x, y, xy", {'periodic': 'z', 'domain': (0, 0, 1, 1)}),
     ('periodic', '3 is none of', {'periodic': 3}),
     ('density', r'shape \(4,\), must be \(H, W\)', {'density': [1, 2, 3, 4]}),
     ('density', '', {'density': [[1, -2]]}),
-    ('outline', 'neither a ring', {'outline': [1, 2, 3]}),
-    ('outline', 'a Point is no polygon', {'outline': {'type': 'Point', 'coordinates': [0, 0]}}),
-    ('outline', '', {'outline': [(0, 0), (1, 1), (1, 0), (0, 1)]}),
-    ('detail', "'all' is none of measures, polygons, everything", {'detail': 'all'}),
+    ('domain', r'shape \(3,\), must be 4 numbers', {'domain': [1, 2, 3]}),
+    ('domain', 'a Point is no polygon', {'domain': {'type': 'Point', 'coordinates': [0, 0]}}),
+    ('domain', '', {'domain': [(0, 0), (1, 1), (1, 0), (0, 1)]}),
+    ('detail', "'most' is none of measures, polygons, all", {'detail': 'most'}),
     ('search', "'tree' is none of grid, flann", {'search': 'tree'}),
     ('search', 'is none of', {'search': 'flann:many'}),
     ('search', '2 neighbors: must be 3 to 1024', {'search': 'flann:2'}),
@@ -98,7 +99,8 @@ def test_what_is_wrong_is_named(argument, message, arguments):
 
 
 @pytest.mark.parametrize('argument, arguments', [
-    ('size', {'size': 100}), ('size', {'size': (10, 0)}), ('size', {'size': (10, 40000)}), ('color', {'color': 'red'}),
+    ('size', {'size': (100,) * 3}), ('size', {'size': 0}), ('size', {'size': (10, 0)}), ('size', {'size': (10, 40000)}),
+    ('color', {'color': 'red'}),
     ('colormap', {'colormap': 'jet', 'color': 'area'})])
 def test_what_is_wrong_about_a_picture_is_named(argument, arguments):
     with pytest.raises(vorpipe.InputError, match=f'^{argument}: ') as caught:
@@ -127,7 +129,7 @@ WITHIN_ITSELF = []
 WITHIN_ITSELF.append(WITHIN_ITSELF)
 
 OF_ANOTHER_TYPE = [
-    (vorpipe.cells, ['outline', WITHIN_ITSELF, 'detail', 5, 'progress', 5, 'repair', 'x']),
+    (vorpipe.cells, ['domain', WITHIN_ITSELF, 'detail', 5, 'progress', 5, 'repair', 'x']),
     (vorpipe.render, ['size', (np.inf, 3), 'size', (1.9, 2), 'color', None, 'edges', 'x', 'color_scale', 5,
                       'edge_width', None, 'dot_size', 'x', 'fit', 5, 'antialias', 2.5, 'antialias', 10**20,
                       'label_size', 'x', 'progress', 5]),
@@ -203,4 +205,56 @@ def test_a_missing_file_is_an_input_error(tmp_path):
     with pytest.raises(vorpipe.InputError, match='missing.csv'):
         vorpipe.read_sites(tmp_path / 'missing.csv')
     with pytest.raises(vorpipe.InputError, match='missing.wkt'):
-        vorpipe.cells(POINTS, outline=tmp_path / 'missing.wkt')
+        vorpipe.cells(POINTS, domain=tmp_path / 'missing.wkt')
+
+
+def test_old_names_serve_with_a_warning():
+    half = [(0, 0), (0.5, 0), (0.5, 1), (0, 1)]
+    with pytest.warns(DeprecationWarning, match='^outline= is domain= now$') as told:
+        assert vorpipe.cells(POINTS, outline=half).area_sum() == 0.5
+    assert told[0].filename == __file__
+    with pytest.warns(DeprecationWarning, match='^outline= is domain= now$'):
+        picture = vorpipe.render(POINTS, None, (0, 0, 1, 1), outline=half, size=40)
+    assert picture.extent == (0, 1, 0, 1) and (picture.ids[:, 20:] == vorpipe.NO_SITE).all()
+    with vorpipe.Session('cpu') as session, pytest.warns(DeprecationWarning):
+        assert session.cells(POINTS, domain=(0, 0, 1, 1), outline=half).area_sum() == 0.5
+    with pytest.warns(DeprecationWarning, match='^detail="everything" is "all" now$'):
+        assert vorpipe.cells(POINTS, detail='everything').detail == 'all'
+    with pytest.warns(DeprecationWarning), pytest.raises(vorpipe.InputError, match='^outline: is domain now, and both'):
+        vorpipe.cells(POINTS, domain='hull', outline=half)
+
+
+def test_a_size_may_be_that_of_the_longer_side():
+    for domain, shape in (((0, 0, 2, 1), (200, 400)), ((0, 0, 1, 4), (400, 100))):
+        assert vorpipe.render(POINTS, domain=domain, size=400).ids.shape == shape
+    assert vorpipe.render(POINTS, domain=(0, 0, 1, 1), view=(0, 0, 1, 0.5), size=400).ids.shape == (200, 400)
+
+
+@pytest.mark.parametrize('form', ['geopandas', 'series', 'shapely', 'list', 'geojson', 'file', 'path', 'layer'])
+def test_a_domain_may_be_any_polygon(form, tmp_path):
+    half, other = [(0, 0), (0.5, 0), (0.5, 1), (0, 1)], [(0.5, 0), (1, 0), (1, 1)]
+    shape = {'type': 'Polygon', 'coordinates': [[*half, half[0]]]}
+    path = tmp_path / 'half.geojson'
+    path.write_text(json.dumps(shape))
+    domain = {'geojson': shape, 'file': str(path), 'path': path}.get(form)
+    options = {}
+    if domain is None:
+        geometry = pytest.importorskip('shapely.geometry')
+        domain = geometry.Polygon(half)
+        if form == 'list':
+            assert vorpipe.cells(POINTS, domain=[domain, geometry.Polygon(other)]).area_sum() == 0.75
+            domain = [domain]
+    if form in ('geopandas', 'series', 'layer'):
+        geopandas = pytest.importorskip('geopandas', reason='there is no geopandas')
+        series = geopandas.GeoSeries([domain])
+        domain = series if form == 'series' else geopandas.GeoDataFrame(geometry=series)
+        if form == 'layer':
+            for layer, frame in (('a', domain), ('b', geopandas.GeoDataFrame(geometry=[geometry.Polygon(other)]))):
+                frame.to_file(tmp_path / 'x.gpkg', layer=layer, driver='GPKG')
+            domain, options = tmp_path / 'x.gpkg', {'domain_layer': 'a'}
+            with pytest.raises(vorpipe.InputError, match='layer'):
+                vorpipe.cells(POINTS, domain=domain)
+    assert vorpipe.cells(POINTS, domain=domain, **options).area_sum() == 0.5
+    if form == 'shapely':
+        with pytest.raises(vorpipe.InputError, match='^domain_layer: is for a GeoPackage'):
+            vorpipe.cells(POINTS, domain=domain, domain_layer='a')

@@ -147,13 +147,13 @@ HOLE = [(1, 1), (1, 2), (3, 2), (3, 1)]
     np.array(RING), RING + RING[:1], [RING], [[RING]], {'type': 'Polygon', 'coordinates': [RING + RING[:1]]},
     {'type': 'Feature', 'geometry': {'type': 'MultiPolygon', 'coordinates': [[RING]]}}])
 def test_an_outline_is_taken_in_many_forms(outline):
-    diagram = vorpipe.cells([[1, 1], [3, 1]], outline=outline)
+    diagram = vorpipe.cells([[1, 1], [3, 1]], domain=outline)
     assert diagram.domain == (0, 0, 4, 3)
     assert diagram.areas.tolist() == [6, 6]
 
 
 def test_cells_in_an_outline_have_rings_and_holes():
-    diagram = vorpipe.cells([[2, 1.5]], outline=[RING, HOLE], check=True)
+    diagram = vorpipe.cells([[2, 1.5]], domain=[RING, HOLE], check=True)
     assert [len(ring) for ring in diagram[0].rings()] == [4, 4]
     (outer, holes), = diagram[0].polygons()
     assert shoelace(outer) == 12 and [shoelace(hole) for hole in holes] == [-2]

@@ -208,11 +208,11 @@ def test_places_and_outlines_in_another_system_are_refused_by_name():
     geometry = pytest.importorskip('shapely.geometry')
     degrees = geopandas.GeoDataFrame(geometry=[geometry.Point(city) for city in CITIES], crs='EPSG:4326')
     meters, box = degrees.to_crs(25832), geopandas.GeoSeries([geometry.box(5, 45, 15, 55)], crs='EPSG:4326')
-    with pytest.raises(vorpipe.InputError, match='^outline: .* is in EPSG:4326, points in EPSG:25832') as caught:
-        vorpipe.cells(meters, outline=box)
-    assert caught.value.subject == 'outline'
+    with pytest.raises(vorpipe.InputError, match='^domain: .* is in EPSG:4326, points in EPSG:25832') as caught:
+        vorpipe.cells(meters, domain=box)
+    assert caught.value.subject == 'domain'
     for points, outline in ((meters, box.to_crs(25832)), (degrees, box)):
-        assert vorpipe.cells(points, outline=outline).report.ok == 3
+        assert vorpipe.cells(points, domain=outline).report.ok == 3
     with pytest.raises(vorpipe.InputError, match='^places: they are in EPSG:25832, the diagram in EPSG:4326'):
         vorpipe.cells(degrees).locate(meters)
     assert vorpipe.cells(degrees, project='auto').locate(degrees.to_crs(4258)).tolist() == [0, 1, 2]
@@ -269,3 +269,123 @@ def test_a_geometry_without_a_place_is_refused_by_its_row():
     geopandas = pytest.importorskip('geopandas')
     with pytest.raises(vorpipe.InputError, match='geometry 1 has no place'):
         vorpipe.cells(geopandas.GeoSeries([shapely.Point(1, 2), shapely.Point(), shapely.Point(2, 3)]))
+
+
+def towns(geopandas, index=('f', 'h', 'm'), **columns):
+    """As a GeoDataFrame in a plane."""
+    points = geopandas.points_from_xy(*zip(*CITIES), crs='EPSG:4326').to_crs(25832)
+    return geopandas.GeoDataFrame({'name': NAMES, **columns}, geometry=points, index=list(index))
+
+
+def test_labels_of_rows_come_back(tmp_path):
+    geopandas = pytest.importorskip('geopandas', reason='there is no geopandas')
+    pandas = pytest.importorskip('pandas', reason='there is no pandas')
+    frame = towns(geopandas, people=pandas.array([770, None, 1500], dtype='Int64'))
+    plain = pandas.DataFrame({'x': [1, 2, 4], 'y': [1, 3, 2]}, index=['f', 'h', 'm'])
+    for points in (frame, frame.geometry, plain):
+        diagram = quietly(points)
+        for result in (diagram, vorpipe.relax(points, iterations=1).cells(), vorpipe.transport(points).cells(),
+                       vorpipe.draw(points, tmp_path / 'x.svg')):
+            assert result.index.tolist() == ['f', 'h', 'm']
+        assert diagram.to_dataframe().index.equals(points.index) and diagram.to_geopandas().index.equals(points.index)
+    some = vorpipe.transport(frame, masses=[1, 0, 3], normalize=True, skip_zero=True)
+    assert some.cells().index.tolist() == ['f', 'm'] and some.cells().attributes['name'].tolist() == NAMES[::2]
+    assert quietly({'x': [1, 2], 'y': [1, 3]}).index is None
+    assert quietly({'x': [1, 2], 'y': [1, 3]}).to_dataframe().index.tolist() == [0, 1]
+
+
+def test_a_table_has_measures_and_attributes():
+    pandas = pytest.importorskip('pandas', reason='there is no pandas')
+    points = pandas.DataFrame({'x': [1, 2, 4, 9], 'y': [1, 3, 2, 9], 'area': [7, 8, 9, 9],
+                               'radius': [0.5, 0.5, 0.1, 0]})
+    diagram = quietly(points, domain=(0, 0, 5, 5), density=np.ones((5, 5)))
+    found = diagram.to_dataframe()
+    assert list(found) == ['x', 'y', 'weight', 'status', 'owner', 'area', 'perimeter', 'centroid_x', 'centroid_y',
+                           'vertices', 'mass', 'mass_centroid_x', 'mass_centroid_y', 'input_area']
+    assert found['area'].sum() == 25 and found['input_area'].tolist() == [7, 8, 9, 9]
+    assert found['status'].tolist() == ['ok'] * 3 + ['empty'] and found['vertices'][0] == len(diagram[0])
+    found.loc[0, 'area'] = 1
+    assert 'perimeter' not in quietly(points, detail='measures').to_dataframe()
+
+
+def test_voronoi_polygons_keeps_rows_labels_columns_and_system():
+    geopandas = pytest.importorskip('geopandas', reason='there is no geopandas')
+    pandas = pytest.importorskip('pandas', reason='there is no pandas')
+    frame = towns(geopandas, people=pandas.array([770, None, 1500], dtype='Int64'), area=[1.5, 2.5, 3.5])
+    frame['built'] = pandas.to_datetime(['1900-01-01', None, '1950-02-03'])
+    cells = vorpipe.voronoi_polygons(frame)
+    assert cells.crs == frame.crs and cells.index.equals(frame.index) and list(cells) == list(frame)
+    pandas.testing.assert_frame_equal(pandas.DataFrame(cells.drop(columns='geometry')),
+                                      pandas.DataFrame(frame.drop(columns='geometry')))
+    assert cells.contains(frame).all() and frame.geom_type.eq('Point').all()
+    assert np.allclose(cells.area, quietly(frame).areas, rtol=1e-9)
+    series = vorpipe.voronoi_polygons(frame.geometry.rename('place'))
+    assert isinstance(series, geopandas.GeoSeries) and series.name == 'place'
+    assert series.geom_equals(cells.geometry).all()
+    other = vorpipe.voronoi_polygons(frame.rename_geometry('seat'))
+    assert other.geometry.name == 'seat' and 'geometry' not in other
+
+
+def test_voronoi_polygons_takes_polygons_for_a_domain():
+    geopandas = pytest.importorskip('geopandas', reason='there is no geopandas')
+    geometry = pytest.importorskip('shapely.geometry')
+    frame = towns(geopandas)
+    country = geopandas.GeoDataFrame(geometry=frame.buffer(1e5).rename('x'), crs=frame.crs)
+    land = country.unary_union
+    for domain in (country, country.geometry, land):
+        cells = vorpipe.voronoi_polygons(frame, domain)
+        assert cells.area.sum() == pytest.approx(land.area) and cells.within(land.buffer(1)).all()
+    with pytest.raises(vorpipe.InputError, match='^domain: the outline is in EPSG:4326, points in EPSG:25832'):
+        vorpipe.voronoi_polygons(frame, country.to_crs(4326))
+    far = geometry.box(0, 0, 1e6, 7e6)
+    grown = vorpipe.voronoi_polygons(frame, extend_to=geopandas.GeoSeries([far])).unary_union
+    assert far.within(grown.buffer(1)) and grown.bounds[3] == 7e6
+    with pytest.raises(vorpipe.InputError, match='^extend_to: is for a box around the points'):
+        vorpipe.voronoi_polygons(frame, 'hull', extend_to=far)
+    with pytest.raises(vorpipe.InputError, match='^extend_to: a str is neither'):
+        vorpipe.voronoi_polygons(frame, extend_to='wide')
+
+
+def test_voronoi_polygons_has_empty_cells_edges_and_several_points_of_a_row():
+    geopandas = pytest.importorskip('geopandas', reason='there is no geopandas')
+    geometry = pytest.importorskip('shapely.geometry')
+    shapes = [geometry.MultiPoint([(0, 0), (2, 0)]), geometry.Point(1, 1), geometry.Point(9, 9)]
+    frame = geopandas.GeoDataFrame({'n': [1, 2, 3]}, geometry=shapes, index=[7, 7, 5])
+    cells = vorpipe.voronoi_polygons(frame, (0, 0, 3, 3))
+    assert cells.index.tolist() == [7, 7, 7, 5] and cells['n'].tolist() == [1, 1, 2, 3]
+    assert cells.is_empty.tolist() == [False] * 3 + [True] and cells.area.sum() == 9
+    edges = vorpipe.voronoi_polygons(frame, (0, 0, 3, 3), only_edges=True)
+    assert edges.geom_type.eq('LineString').all()
+    # Those at the domain's border, 12 long, are of one cell, all others of two.
+    assert edges.unary_union.length == pytest.approx((cells.geometry[:3].length.sum() + 12) / 2)
+    with pytest.raises(vorpipe.InputError, match='^points: a list is neither a GeoDataFrame nor a GeoSeries'):
+        vorpipe.voronoi_polygons(CITIES)
+
+
+def test_voronoi_polygons_of_degrees_say_so_or_are_projected():
+    geopandas = pytest.importorskip('geopandas', reason='there is no geopandas')
+    frame = towns(geopandas).to_crs(4326)
+    with pytest.warns(vorpipe.InputWarning, match='project="auto" makes a local plane'):
+        plain = vorpipe.voronoi_polygons(frame)
+    with warnings.catch_warnings():
+        warnings.simplefilter('error')
+        cells = vorpipe.voronoi_polygons(frame, project='auto')
+    assert cells.crs == frame.crs and not cells.geom_equals(plain).any()
+    # Each point of an edge is as far from one town as from the other on the Earth, nearly.
+    geod = pytest.importorskip('pyproj').Geod(ellps='WGS84')
+
+    def unevenness(found):
+        middle = found.geometry.iloc[0].intersection(found.geometry.iloc[1]).interpolate(0.5, normalized=True)
+        away = [geod.inv(middle.x, middle.y, *city)[2] for city in (FRANKFURT, HAMBURG)]
+        return abs(away[0] - away[1]) / away[0]
+
+    assert unevenness(cells) < 0.03 < unevenness(plain)
+
+
+def test_another_system_than_that_of_the_points_is_refused():
+    geopandas = pytest.importorskip('geopandas', reason='there is no geopandas')
+    frame = towns(geopandas)
+    with pytest.raises(vorpipe.InputError, match='^crs: is EPSG:4326, and the points say that they are in EPSG:25832'):
+        vorpipe.cells(frame, crs='EPSG:4326')
+    assert vorpipe.cells(frame, crs=25832).crs == 'EPSG:25832'
+    assert vorpipe.voronoi_polygons(geopandas.GeoSeries(list(frame.geometry)), crs=25832).crs == 25832

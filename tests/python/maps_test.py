@@ -41,13 +41,11 @@ def test_the_center_can_be_named(degrees):
     ({'project': 'mercator'}, 'project', '"auto" nor'), ({'project': (1, 2, 3)}, 'project', '"auto" nor'),
     ({'project': True, 'periodic': 'x', 'domain': BOX}, 'periodic', 'the Earth does not repeat itself'),
     ({'project': True, 'crs': 'EPSG:32632'}, 'project', 'those of a plane'),
-    ({'project': True, 'domain': BOX, 'outline': SQUARE}, 'domain', 'give one of them'),
-    ({'domain': 'box'}, 'domain', 'neither "hull" nor 4 numbers'),
-    ({'domain': 'hull', 'outline': SQUARE}, 'domain', 'another is given'),
+    ({'domain': 'box'}, 'domain', 'neither "hull" nor a file'),
     ({'margin': 'wide'}, 'margin', '10%'), ({'margin': -1}, 'margin', ''),
     ({'margin': 1, 'domain': BOX}, 'margin', 'give one of them'),
     ({'domain': (177, -20, -177, -15)}, 'domain', 'in degrees, across the antimeridian, xmax is 183'),
-    ({'repair': True}, 'repair', 'there is none'), ({'outline': BOWTIE}, 'outline', 'repair mends it')])
+    ({'repair': True}, 'repair', 'there is none'), ({'domain': BOWTIE}, 'domain', 'repair mends it')])
 def test_what_contradicts_itself_is_refused(degrees, arguments, argument, message):
     if arguments.get('crs'):
         pytest.importorskip('pyproj', reason='there is no pyproj')
@@ -68,12 +66,12 @@ def test_a_hull_and_a_margin_are_domains(random):
 
 def test_outlines_are_mended_with_a_warning():
     points = [(0.5, 0.5), (1.5, 0.5)]
-    with pytest.warns(vorpipe.InputWarning, match='^outline: ') as told:
-        diagram = vorpipe.cells(points, outline=[[SQUARE], [BESIDE]])
+    with pytest.warns(vorpipe.InputWarning, match='^domain: ') as told:
+        diagram = vorpipe.cells(points, domain=[[SQUARE], [BESIDE]])
     assert diagram.areas.tolist() == [1, 1] and len(diagram.ring_starts) == 2
     assert told[0].filename == __file__
-    with pytest.warns(vorpipe.InputWarning, match='^outline: '):
-        assert vorpipe.cells(points, outline=BOWTIE, repair=True).area_sum() == 0.5
+    with pytest.warns(vorpipe.InputWarning, match='^domain: '):
+        assert vorpipe.cells(points, domain=BOWTIE, repair=True).area_sum() == 0.5
 
 
 def test_coordinates_that_look_like_degrees_are_told(random):
@@ -145,17 +143,17 @@ def test_different_systems_are_refused_by_name(degrees, tmp_path):
     ring = '[[[0,0],[9e5,0],[9e5,9e5],[0,0]]]'
     outline.write_text('{"type":"Polygon",' + crs + '"coordinates":' + ring + '}')
     with pytest.raises(vorpipe.InputError, match='city.geojson is in EPSG:25832, points in EPSG:4326') as caught:
-        vorpipe.cells(degrees, outline=outline, crs='EPSG:4326')
-    assert caught.value.subject == 'outline'
-    with pytest.warns(vorpipe.InputWarning, match='outline: no site lies in the box 0,0,900000,900000'):
-        vorpipe.cells(-degrees, outline=outline)
+        vorpipe.cells(degrees, domain=outline, crs='EPSG:4326')
+    assert caught.value.subject == 'domain'
+    with pytest.warns(vorpipe.InputWarning, match='domain: no site lies in the box 0,0,900000,900000'):
+        vorpipe.cells(-degrees, domain=outline)
 
     class Frame:
         crs = 'EPSG:25832'
         __geo_interface__ = {'type': 'Polygon', 'coordinates': [[(0, 0), (9, 0), (9, 9), (0, 0)]]}
 
     with pytest.raises(vorpipe.InputError, match='the outline is in EPSG:25832, points in EPSG:4326'):
-        vorpipe.cells(degrees, outline=Frame(), crs='EPSG:4326')
+        vorpipe.cells(degrees, domain=Frame(), crs='EPSG:4326')
 
 
 def test_cells_around_a_pole_are_polygons(tmp_path):

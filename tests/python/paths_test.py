@@ -21,7 +21,7 @@ WRITERS = {
 READERS = {
     'points': ('.csv', vorpipe.read),
     'weights': ('.txt', lambda path: vorpipe.read_weights(path, 3)),
-    'outline': ('.wkt', lambda path: vorpipe.cells(POINTS, outline=path)),
+    'outline': ('.wkt', lambda path: vorpipe.cells(POINTS, domain=path)),
     'density': ('.npy', lambda path: vorpipe.cells(POINTS, density=path)),
     'fluid': ('.npz', vorpipe.Fluid),
 }
@@ -81,7 +81,7 @@ def test_what_a_result_is_of_is_not_replaced(tmp_path):
     path.write_text('x,y\n0.2,0.3\n0.7,0.6\n0.4,0.9\n')
     ring = tmp_path / 'ring.geojson'
     ring.write_text('{"type":"Polygon","coordinates":[[[0,0],[1,0],[1,1],[0,1],[0,0]]]}')
-    cells = vorpipe.cells(path, outline=ring)
+    cells = vorpipe.cells(path, domain=ring)
     for save in (cells.save, cells.save_edges, vorpipe.relax(path, iterations=1).save, vorpipe.transport(path).save):
         with pytest.raises(vorpipe.InputError, match='^path: .*a.csv: is what this was computed from'):
             save(f'{tmp_path}/./a.csv')

@@ -62,7 +62,7 @@ def same(a, b, names):
 KINDS = {
     'random': {}, 'measures': {'detail': 'measures'}, 'polygons': {'detail': 'polygons'},
     'periodic': {'domain': UNIT, 'periodic': 'xy'}, 'density': {'density': [[1, 2], [3, 4]]},
-    'outline': {'outline': FORK}, 'weights': {'weights': np.linspace(0, 0.01, 200)},
+    'outline': {'domain': FORK}, 'weights': {'weights': np.linspace(0, 0.01, 200)},
     'degrees': {'project': 'auto', 'domain': (-1, -1, 2, 2)}, 'crs': {'crs': 'EPSG:25832'},
     'free': {'weights': np.full(200, 0.002), 'surface': 'free', 'domain': UNIT},
     'attributes': {'attributes': {'n': range(200), 'name': ['ü', None] * 100, 'part': [0.5, np.nan] * 100}}}
@@ -82,7 +82,7 @@ def test_a_diagram_comes_back_as_it_was(kind, way, random):
         assert np.array_equal(copied.attributes[name], values, equal_nan=values.dtype.kind == 'f')
     if kind != 'free':
         assert copied.check() == [] and vorpipe.compare(copied, diagram).agree
-    if diagram.detail == 'everything':
+    if diagram.detail == 'all':
         assert np.array_equal(copied.triangles, diagram.triangles)
     if diagram.detail != 'measures':
         assert copied.to_bytes('.geojson') == diagram.to_bytes('.geojson')
@@ -96,7 +96,7 @@ def test_a_cell_brings_its_diagram(way):
 
 
 @pytest.mark.parametrize('options', [
-    {}, {'color': 'area', 'legend': True, 'edges': True, 'antialias': 2, 'size': (120, 80)}, {'outline': FORK, 'fit': 'letterbox'},
+    {}, {'color': 'area', 'legend': True, 'edges': True, 'antialias': 2, 'size': (120, 80)}, {'domain': FORK, 'fit': 'letterbox'},
     {'weights': [0.1] * 50, 'color': 'weight', 'color_range': (0, 1), 'view': (0, 0, 0.5, 0.5)}])
 def test_a_picture_comes_back_as_it_was(options, way, tmp_path):
     picture = vorpipe.render(vorpipe.generate('random', 50), **{'size': (60, 40), **options})
@@ -193,3 +193,18 @@ def test_what_belongs_to_a_process_says_why_it_stays_there():
     for take in (pickle.dumps, copy.copy, copy.deepcopy):
         with pytest.raises(TypeError, match=r'save\(path\) writes it'):
             take(vorpipe.Fluid('shear', parcels=20))
+
+
+def test_labels_go_along(way):
+    pandas = pytest.importorskip('pandas', reason='there is no pandas')
+    points = pandas.DataFrame({'x': [1, 2, 4], 'y': [1, 3, 2]}, index=['a', 'b', 'c'])
+    for result in (vorpipe.cells(points), vorpipe.relax(points, iterations=1), vorpipe.transport(points)):
+        found = way(result)
+        assert (found if isinstance(found, vorpipe.Diagram) else found.cells()).index.tolist() == ['a', 'b', 'c']
+
+
+def test_matrices_are_scipys_own(way):
+    pytest.importorskip('scipy.sparse', reason='there is no scipy')
+    diagram = vorpipe.cells(vorpipe.generate('random', 200))
+    for matrix in (diagram.adjacency(), diagram.area_jacobian(), diagram.natural_neighbors([(0.5, 0.5)])):
+        assert abs(way(matrix) - matrix).nnz == 0

@@ -40,7 +40,7 @@ def test_cells_are_those_of_the_program(program, tmp_path):
     for name in names:
         diagram.save(tmp_path / f'by_{name}', only_cells=True)
     diagram.save_edges(tmp_path / 'by_edges.geojson')
-    italy = vorpipe.cells(sites, outline=ITALY, project=(12, 42), backend='cpu')
+    italy = vorpipe.cells(sites, domain=ITALY, project=(12, 42), backend='cpu')
     for name in ('italy.csv', 'italy.npz'):
         italy.save(tmp_path / f'by_{name}')
     assert [name for name in (*names, 'edges.geojson', 'italy.csv', 'italy.npz') if not same(tmp_path, name)] == []

@@ -25,8 +25,8 @@ def test_row_0_is_the_top():
 
 def test_beyond_an_outline_there_is_no_site():
     half = [(0, 0), (0.5, 0), (0.5, 1), (0, 1)]
-    picture = vorpipe.render([[0.5, 0.5]], domain=(0, 0, 1, 1), outline=half, size=(4, 4))
-    assert picture.domain == (0, 0, 1, 1)
+    picture = vorpipe.render([[0.5, 0.5]], domain=half, view=(0, 0, 1, 1), size=(4, 4))
+    assert picture.domain == (0, 0, 0.5, 1) and picture.extent == (0, 1, 0, 1)
     assert (picture.ids[:, 2:] == vorpipe.NO_SITE).all() and (picture.ids[:, :2] == 0).all()
     assert (picture.rgba[:, 2:, 3] == 0).all()
 

@@ -1,4 +1,8 @@
-"""Cells for matplotlib, shapely and GeoPandas."""
+"""Cells for matplotlib, shapely, GeoPandas and notebooks."""
+import base64
+import io
+import re
+
 import numpy as np
 import pytest
 
@@ -25,14 +29,14 @@ def test_shapely_has_the_same_areas(diagram):
 
 def test_shapely_has_holes_and_several_parts():
     geometry = pytest.importorskip('shapely.geometry')
-    holed, = vorpipe.cells([[2, 1.5]], outline=geometry.Polygon(RING, [HOLE])).to_shapely()
+    holed, = vorpipe.cells([[2, 1.5]], domain=geometry.Polygon(RING, [HOLE])).to_shapely()
     assert holed.area == 10 and len(holed.interiors) == 1
-    cells = vorpipe.cells([[1.5, 0], [1.5, 2.5]], outline=geometry.Polygon(FORK))
+    cells = vorpipe.cells([[1.5, 0], [1.5, 2.5]], domain=geometry.Polygon(FORK))
     shapes = cells.to_shapely()
     assert shapes[1].geom_type == 'MultiPolygon' and len(shapes[1].geoms) == 2
     assert np.allclose([shape.area for shape in shapes], cells.areas)
     two = geometry.MultiPolygon([geometry.Polygon(RING), geometry.box(5, 0, 6, 1)])
-    assert vorpipe.cells([[0, 0]], outline=two).areas.tolist() == [13]
+    assert vorpipe.cells([[0, 0]], domain=two).areas.tolist() == [13]
 
 
 def test_geopandas_has_a_row_for_each_point(diagram):
@@ -59,7 +63,7 @@ def test_matplotlib_leaves_holes_empty():
     pyplot = pytest.importorskip('matplotlib.pyplot')
     figure = pyplot.figure(figsize=(4, 3), dpi=50)
     ax = figure.add_axes((0, 0, 1, 1), frameon=False)
-    vorpipe.cells([[2, 1.5]], outline=[RING, HOLE]).plot(ax, color=None, facecolor='red')
+    vorpipe.cells([[2, 1.5]], domain=[RING, HOLE]).plot(ax, color=None, facecolor='red')
     ax.axis('off')
     figure.canvas.draw()
     pixels = np.asarray(figure.canvas.buffer_rgba())
@@ -86,3 +90,41 @@ def test_pictures_lie_where_their_domain_is():
     picture.plot(ax)
     assert ax.get_xlim() == (0, 4) and ax.get_ylim() == (0, 3)
     pyplot.close(figure)
+
+
+def shown(value):
+    """The picture that a notebook shows, and its caption."""
+    png, text = value._repr_png_(), value._repr_html_()
+    picture = r'<div><img src="data:image/png;base64,([^"]+)" alt="[^"]+"><br><small>(.+)</small></div>'
+    source, caption = re.fullmatch(picture, text).groups()
+    assert base64.b64decode(source) == png
+    return pytest.importorskip('PIL.Image').open(io.BytesIO(png)), caption
+
+
+def test_notebooks_show_a_small_picture(diagram):
+    drops = vorpipe.transport(diagram.points[:100], domain=(0, 0, 1, 1), fill=0.5)
+    for value in (diagram, vorpipe.cells(diagram.points[:100], domain=[(0, 0), (2, 0), (2, 1), (0, 1)]), drops,
+                  vorpipe.relax(diagram.points[:100], domain=(0, 0, 1, 1), iterations=2)):
+        image, caption = shown(value)
+        assert max(image.size) == 400 and len(image.getcolors(1 << 20)) > 50
+        assert caption.startswith(f'&lt;vorpipe.{type(value).__name__}: ') and str(len(value)) in caption
+    assert shown(diagram)[0].size == (400, 400)
+    assert shown(vorpipe.cells(diagram.points, domain=(0, 0, 4, 1), detail='measures'))[0].size == (400, 100)
+    pixels = np.asarray(shown(drops)[0].convert('RGBA'))
+    assert 0.4 < (pixels[..., 3] == 0).mean() < 0.6
+    svg = vorpipe.cells(vorpipe.generate('random', 50), domain=(0, 0, 2, 1))._repr_svg_()
+    assert svg.startswith('<svg') and 'width="400" height="200"' in svg and svg.count('<p') >= 50
+    assert vorpipe.cells(vorpipe.generate('random', 3000))._repr_svg_() is None
+    assert vorpipe.cells(vorpipe.generate('random', 50), detail='measures')._repr_svg_() is None
+
+
+def test_notebooks_show_pictures_as_they_are_if_they_are_not_large():
+    small = vorpipe.render(vorpipe.generate('random', 100), size=(300, 200))
+    assert np.array_equal(np.asarray(shown(small)[0].convert('RGBA')), small.rgba)
+    assert shown(vorpipe.render(vorpipe.generate('random', 100), size=(2001, 1000)))[0].size == (667, 334)
+
+
+def test_of_very_many_points_there_is_only_a_line(monkeypatch, diagram):
+    monkeypatch.setattr('vorpipe._shown.MOST_POINTS', 100)
+    assert diagram._repr_png_() is None
+    assert diagram._repr_html_() == '<div>&lt;vorpipe.Diagram: 100 cells of 101 points, cpu&gt;</div>'

@@ -13,7 +13,7 @@ namespace {
 TEST(OptionNames, AreThoseOfTheirValues) {
   EXPECT_EQ(nameOf(Periodic::xy), "xy");
   EXPECT_EQ(nameOf(Surface::free), "free");
-  EXPECT_EQ(nameOf(Detail::everything), "everything");
+  EXPECT_EQ(nameOf(Detail::everything), "all");
   EXPECT_EQ(nameOf(Search::flann), "flann");
   EXPECT_EQ(nameOf(ColorBy::neighbors), "neighbors");
   EXPECT_EQ(nameOf(ColorScale::quantile), "quantile");
