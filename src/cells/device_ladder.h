@@ -66,7 +66,7 @@ class Upload {
 
 /// Cells tried first, to predict how a device does on the others.
 struct Sample {
-  std::vector<std::uint32_t> cells, rest;  ///< together `which`, both ascending
+  std::vector<std::uint32_t> cells, rest;  ///< both ascending; together they are `which`
 
   /// All of `which`, if it is too short to be worth a sample; else some hundred, evenly spread.
   explicit Sample(std::span<const std::uint32_t> which) {

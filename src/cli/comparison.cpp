@@ -114,11 +114,12 @@ std::vector<std::uint32_t> idsOfColors(const Image& picture, const Image& drawn)
         if (same) ids[here] = drawn.ids[from];
         return same;
       };
-      if (take(here)) continue;
-      const int bottom = std::min(row + 1, drawn.height - 1), right = std::min(column + 1, drawn.width - 1);
-      bool found = false;
-      for (int r = std::max(0, row - 1); r <= bottom && !found; ++r) {
-        for (int c = std::max(0, column - 1); c <= right && !found; ++c) found = take(at(r, c));
+      // Beside a pixel of the border are those of the opposite one: periodic domains go on there.
+      bool found = take(here);
+      for (int r = row + drawn.height - 1; r <= row + drawn.height + 1 && !found; ++r) {
+        for (int c = column + drawn.width - 1; c <= column + drawn.width + 1 && !found; ++c) {
+          found = take(at(r % drawn.height, c % drawn.width));
+        }
       }
     }
   }

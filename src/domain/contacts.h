@@ -38,7 +38,7 @@ struct MovedVertex {
 struct Contacts {
   std::vector<MovedVertex> moved;
   std::vector<EdgeNode> nodes;       ///< vertices on edges, before they moved; corners on other edges
-  std::vector<std::uint32_t> cells;  ///< of the set: a corner is on a side or at a vertex
+  std::vector<std::uint32_t> cells;  ///< indices in the set: cells with a corner on a side or at a vertex
   bool faults = false;               ///< rounding has made the rings of a cell cross themselves
 };
 

@@ -108,7 +108,7 @@ Result<void> Flow::wrap(Parcels& parcels) const {
   const auto carried = [&](const std::vector<double>& from, const std::vector<double>& to, double side) {
     return carefulSum(parcels.size(), threads_, [&](std::size_t i) {
       const double way = to[i] - from[i];
-      // Rounding may move sites that are inside.
+      // A shorter way is the rounding of a site that was inside, not a period.
       return std::abs(way) > side / 2 ? parcels.mass[i] * way : 0;
     });
   };

@@ -13,7 +13,7 @@ namespace vorpipe::moving {
 /// Cells with their velocities, in an order in which neighbors are near each other in memory. All arrays
 /// except `order` follow that order.
 struct Parcels {
-  std::vector<std::uint32_t> order;  ///< by place, the caller's index
+  std::vector<std::uint32_t> order;  ///< the caller's index of each parcel
   Sites sites;
   std::vector<Point> velocity;
   std::vector<double> volume, mass, pressure;

@@ -39,7 +39,7 @@ struct WhatToDraw {
 /// the rest, which are then drawn as known cells. The order of drawing depends only on the sites.
 class CellDrawing {
  public:
-  /// `palette_index` is by index in the set; all of it outlives this.
+  /// `palette_index` is by index in the set. All arguments must live as long as this object.
   CellDrawing(const SearchInput& input, std::span<const std::uint8_t> palette_index, WhatToDraw what,
               DrawnBefore& before);
 

@@ -140,6 +140,21 @@ succeeds "ties of a lattice" render --backend cpu --sites square:16 --size 60x60
 for kept in npy png; do
   succeeds "ties in a .$kept" compare --backends opengl,vulkan-geometry --sites square:16 --reference out/lattice.$kept
 done
+if "$python" -c 'import PIL' 2>/dev/null; then
+  # The center of pixel (30, 0) lies on the edge between the cell that column 1 shows and that of the last column.
+  torus="--backend cpu --sites square:16 --periodic x --domain 0.2416666666666667,0,1.2416666666666667,1"
+  succeeds "a lattice that repeats itself" render $torus --size 60x60 -o out/torus.png
+  "$python" - <<'END' || fail "no picture with the other side of a tie"
+from PIL import Image
+image = Image.open('out/torus.png').convert('RGB')
+here, right, left = (image.getpixel((column, 30)) for column in (0, 1, 59))
+assert here in (left, right) and left != right
+image.putpixel((0, 30), left if here == right else right)
+image.save('in/torus.png')
+END
+  succeeds "a tie across the period" compare ${torus/--backend/--backends} --reference in/torus.png
+  grep -q '^cpu / in/torus.png  *3599  *1 ' log/out || fail "not one tie"
+fi
 fails 2 "a size beside that of the reference" "out/a.npy is 90x60, with this --size pictures are 30x30" compare \
   --backends cpu --sites random:300 --size 30x30 --reference out/a.npy --report out/old.json
 fails 2 "a reference of other sites" "there is no site" compare --backends cpu --sites random:9 --reference out/a.npy
