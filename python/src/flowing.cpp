@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <tuple>
 #include <utility>
 
 #include "arrays.h"
@@ -34,9 +35,9 @@ std::vector<Point> rowsOf(const Numbers& numbers) {
 /// A fluid of an input; arrays are as long as its points, as vorpipe/_fluid.py has seen to.
 FluidSetup setupOf(const Input& input, const std::optional<Numbers>& velocities,
                    const std::optional<Numbers>& volumes, const std::optional<Numbers>& densities) {
-  if (!input.outline.empty()) raiseInput("domain", "a fluid fills a box");
   FluidSetup setup{};
   setup.options.domain = input.domain;
+  setup.options.outline = input.outline;
   setup.options.periodic = input.periodic;
   setup.options.surface = input.surface;
   setup.state.sites = input.sites;
@@ -114,6 +115,7 @@ void defineFluidStep(py::module_& module) {
       .def_readonly("diagrams", &FluidStep::diagrams)
       .def_readonly("linear_iterations", &FluidStep::linear_iterations)
       .def_readonly("halvings", &FluidStep::halvings)
+      .def_readonly("velocity_error", &FluidStep::velocity_error)
       .def_readonly("seconds", &FluidStep::seconds);
 }
 
@@ -228,6 +230,15 @@ void defineFlowing(py::module_& module) {
                              })
       .def_property_readonly("until", [](const FluidRun& run) { return run.now()->options.until; })
       .def_property_readonly("scheme", [](const FluidRun& run) { return nameOf(run.now()->options.scheme); })
+      .def_property_readonly("viscosity", [](const FluidRun& run) { return run.now()->options.viscosity; })
+      .def_property_readonly("walls", [](const FluidRun& run) { return nameOf(run.now()->options.walls); })
+      .def_property_readonly("outline",
+                             [](const FluidRun& run) {
+                               Outline outline = run.now()->options.outline;
+                               return std::tuple(arrayOf<double>(std::move(outline.points)),
+                                                 std::move(outline.ring_offsets),
+                                                 std::move(outline.polygon_offsets));
+                             })
       .def_property_readonly("periodic",
                              [](const FluidRun& run) { return nameOf(run.now()->options.periodic); })
       .def_property_readonly("free_surface",

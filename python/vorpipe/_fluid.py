@@ -3,7 +3,7 @@ from __future__ import annotations
 
 import math
 import os
-from typing import Any, Callable, NoReturn, Optional, Sequence, Tuple, Union
+from typing import Any, Callable, List, NoReturn, Optional, Sequence, Tuple, Union
 
 from . import _arguments, _scalars, _vorpipe
 from ._arguments import Floats, PathLike
@@ -16,7 +16,7 @@ Named = Union[str, 'os.PathLike[str]']
 
 
 class Fluid:
-    """A fluid without friction whose parcels are cells that keep their areas.
+    """A fluid whose parcels are cells that keep their areas.
 
     It begins with points and their velocities, or with a case or a file by its name:
 
@@ -29,18 +29,21 @@ class Fluid:
     open.
 
     Args:
-        begin: (N, 2), the points; "taylor-green", "gresho", "shear", "rayleigh-taylor" or "dam-break"; or an .npz file
-            that `save` or the command line's --checkpoint has written.
+        begin: (N, 2), the points; "taylor-green", "gresho", "shear", "rayleigh-taylor", "dam-break", "shear-wave" or
+            "channel"; or an .npz file that `save` or the command line's --checkpoint has written.
         velocities: (N, 2); None: at rest.
         volumes: (N,), the areas of the cells; None for equal shares of the domain. A free surface asks for them.
         densities: (N,), mass per volume; None: 1.
         weights: (N,), where to begin to look for those that give cells their areas.
         domain, periodic: as in `cells`, without "hull".
+        repair: as in `cells`, of a domain that is an outline: walls of any shape, with holes as obstacles.
         surface: "free" where air is around the cells.
         parcels: about how many cells a case has; None: 2048.
         gravity: (x, y); None: none.
-        scheme: "springs", the default, which has free surfaces; or "projection", more exact for smooth flows in domains
-            that are full.
+        scheme: "projection", for domains that are full; or "springs", which has free surfaces. None: the first, but for
+            those.
+        viscosity: kinematic, area per time; None: 0.
+        walls: "slip", along which a viscous fluid slides, or "no-slip", to which it sticks; None: "slip".
         step: of time; None or 0: as long as speeds and springs allow.
         epsilon: a time, in 2 pi of which springs swing; None: 2 spacings over the largest first speed or half of that
             of a fall from the top, 3 spacings with a free surface.
@@ -54,9 +57,10 @@ class Fluid:
     __slots__ = ('_fluid', '_session')
 
     def __init__(self, begin: Any, velocities: Any = None, *, volumes: Any = None, densities: Any = None,
-                 weights: Any = None, domain: Any = None, periodic: Union[None, bool, str] = None,
-                 surface: Optional[str] = None, parcels: Optional[int] = None,
+                 weights: Any = None, domain: Any = None, repair: bool = False,
+                 periodic: Union[None, bool, str] = None, surface: Optional[str] = None, parcels: Optional[int] = None,
                  gravity: Optional[Sequence[float]] = None, scheme: Optional[str] = None,
+                 viscosity: Optional[float] = None, walls: Optional[str] = None,
                  step: Optional[float] = None, epsilon: Optional[float] = None, until: Optional[float] = None,
                  tolerance: Optional[float] = None, diagrams: Optional[int] = None, search: str = 'grid',
                  backend: str = 'auto', device: Union[None, int, str] = None, threads: Optional[int] = None,
@@ -69,7 +73,7 @@ class Fluid:
         else:
             if parcels is not None:
                 raise _scalars.refuse('parcels', 'is for cases; points are as many as there are')
-            given = input_of(begin, weights, _arguments.domain_of(domain), periodic,
+            given = input_of(begin, weights, _arguments.domain_of(domain, repair=repair), periodic,
                              surface=surface)
             count = len(given)
             setup = _vorpipe.FluidSetup.of(given, _arguments.vectors_of('velocities', velocities, count),
@@ -77,7 +81,7 @@ class Fluid:
                                            _arguments.positive_of('densities', densities, count))
         found, neighbors = _arguments.search_of(search)
         named = {'scheme': scheme, 'step': step, 'epsilon': epsilon, 'until': until, 'tolerance': tolerance,
-                 'gravity': gravity}
+                 'gravity': gravity, 'viscosity': viscosity, 'walls': walls}
         options = _arguments.options_of(_vorpipe.FLUID, {k: v for k, v in named.items() if v is not None})
         most = None if diagrams is None else _arguments.iterations_of(diagrams, 'diagrams')
         setup.choose(options, most, found, neighbors)
@@ -204,6 +208,25 @@ class Fluid:
         return self._fluid.scheme
 
     @property
+    def viscosity(self) -> float:
+        """Kinematic, area per time."""
+        return self._fluid.viscosity
+
+    @property
+    def walls(self) -> str:
+        """ "slip" or "no-slip"."""
+        return self._fluid.walls
+
+    @property
+    def outline(self) -> Optional[List[List[Floats]]]:
+        """Polygons, each its outer ring and its holes as (M, 2); None: the domain is a box."""
+        points, rings, polygons = self._fluid.outline
+        if not len(points):
+            return None
+        parts = [points[first:last] for first, last in zip(rings[:-1], rings[1:])]
+        return [parts[first:last] for first, last in zip(polygons[:-1], polygons[1:])]
+
+    @property
     def report(self) -> _vorpipe.Report:
         """What the run of the last diagram did."""
         return self._fluid.report
@@ -212,12 +235,12 @@ class Fluid:
 
     def cells(self, detail: str = 'all', progress: Optional[Progress] = None) -> Diagram:
         """The cells of the points where they are; with a free surface they end at discs."""
-        return self._session.cells(self.points, self.weights, self.domain, periodic=self.periodic,
+        return self._session.cells(self.points, self.weights, self.outline or self.domain, periodic=self.periodic,
                                    surface=self.surface, detail=detail, progress=progress)
 
     def render(self, **look: Any) -> Picture:
         """A picture of these cells; `look` is as in `vorpipe.render`. Air has no color, and NO_SITE."""
-        return self._session.render(self.points, self.weights, self.domain, periodic=self.periodic,
+        return self._session.render(self.points, self.weights, self.outline or self.domain, periodic=self.periodic,
                                     surface=self.surface, **look)
 
     def save(self, path: PathLike) -> None:

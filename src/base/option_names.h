@@ -45,7 +45,9 @@ template <>
 inline constexpr std::array<std::string_view, 4> names_of<TransportEnd>{"converged", "stagnated", "diagrams",
                                                                         "cancelled"};
 template <>
-inline constexpr std::array<std::string_view, 2> names_of<FluidScheme>{"springs", "projection"};
+inline constexpr std::array<std::string_view, 3> names_of<FluidScheme>{"springs", "projection", "auto"};
+template <>
+inline constexpr std::array<std::string_view, 2> names_of<FluidWalls>{"slip", "no-slip"};
 template <>
 inline constexpr std::array<std::string_view, 4> names_of<FluidEnd>{"none", "time", "areas", "cancelled"};
 

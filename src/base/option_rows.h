@@ -184,12 +184,28 @@ inline constexpr std::tuple fluid_rows{
              "time of a step; auto: as long as speeds and springs allow [auto]", "auto"),
     ChoiceRow<FluidOptions, FluidScheme>{
         "scheme", &FluidOptions::scheme, "NAME",
-        "springs, which pull sites to the centroids of their cells, and have free surfaces; or projection, "
-        "with reflection: more exact for smooth flows, in domains that are full [{}]"},
+        "projection, with reflection, for domains that are full; springs, which pull sites to the centroids "
+        "of "
+        "their cells, and have free surfaces; or auto, the first but for a free surface [{}]"},
     fluidRow(
         "epsilon", &FluidOptions::epsilon, "E",
         "softness of springs, a time: they swing in 2 pi of it [2 spacings of cells over the largest first "
         "speed, or over half of that of a fall from the top; 3 spacings with a free surface]"),
+    NumberRow<FluidOptions, double>{
+        "viscosity",
+        &FluidOptions::viscosity,
+        0,
+        without_end,
+        0,
+        {},
+        "",
+        "NU",
+        "kinematic viscosity: the domain's unit squared per time [as the case has "
+        "it, or {2}]",
+        "a number of 0 or more"},
+    ChoiceRow<FluidOptions, FluidWalls>{"walls", &FluidOptions::walls, "NAME",
+                                        "slip, along which a viscous fluid slides; or no-slip, to which it "
+                                        "sticks [as the case has it, or {}]"},
     PointRow<FluidOptions>{"gravity", &FluidOptions::gravity, "GX,GY", "acceleration [as the case has it]"},
     fluidRow("tolerance", &FluidOptions::tolerance, "T",
              "no area differs from its own by more than this part of it [{2}]")};

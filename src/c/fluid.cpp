@@ -32,6 +32,10 @@ Result<void> takeOptions(const vorpipe_fluid_options& wanted, FluidOptions& opti
   if (wanted.until != 0) options.until = wanted.until;
   if (wanted.tolerance != 0) options.tolerance = wanted.tolerance;
   if (wanted.diagrams != 0) options.diagrams = wanted.diagrams;
+  if (wanted.viscosity != 0) options.viscosity = wanted.viscosity;
+  const std::array walls{options.walls, FluidWalls::slip, FluidWalls::no_slip};
+  VORPIPE_LET(at_walls, chosen(walls, wanted.walls, "walls"));
+  options.walls = at_walls;
   if (wanted.has_gravity != 0) options.gravity = {wanted.gravity_x, wanted.gravity_y};
   options.progress = progressOf(wanted.progress, wanted.progress_user);
   return {};
@@ -55,7 +59,6 @@ Result<FluidSetup> fluidSetup(const vorpipe_input& input, const PlacedInput& pla
                               const vorpipe_fluid_options& wanted) {
   if (placed.domain.projection)
     return inputError("project: a fluid has its sites in a plane, not in degrees");
-  if (!placed.domain.outline.empty()) return inputError("outline: a fluid fills a box");
   if (!input.density.values.empty()) return inputError("density: a fluid has densities by site");
   const std::uint64_t count = placed.sites->size();
   if (hasArrays(wanted) && wanted.count != count) {
@@ -64,6 +67,7 @@ Result<FluidSetup> fluidSetup(const vorpipe_input& input, const PlacedInput& pla
   VORPIPE_VAR(cells, movingOptions(input, placed, wanted.search, wanted.search_neighbors));
   FluidSetup setup{};
   setup.options.domain = cells.domain;
+  setup.options.outline = cells.outline;
   setup.options.periodic = cells.periodic;
   setup.options.search = cells.search;
   setup.options.surface = input.surface;
@@ -112,6 +116,7 @@ vorpipe_fluid_figures figuresOf(const FluidStep& step) {
   figures.diagrams = step.diagrams;
   figures.linear_iterations = step.linear_iterations;
   figures.seconds = step.seconds;
+  figures.velocity_error = step.velocity_error.value_or(std::numeric_limits<double>::quiet_NaN());
   return figures;
 }
 
@@ -138,7 +143,8 @@ Result<vorpipe_fluid*> read(vorpipe_session& session, const std::string& name, s
   input.attributes = std::make_shared<const std::vector<Attribute>>();
   input.name = name;
   input.from = SitesFrom::generator;
-  input.domain.box = setup.options.domain;
+  if (setup.options.outline.empty()) input.domain.box = setup.options.domain;
+  input.domain.outline = setup.options.outline;
   input.periodic = setup.options.periodic;
   input.surface = setup.options.surface;
   VORPIPE_VAR(placed, placedInput(input));

@@ -747,9 +747,17 @@ VORPIPE_API vorpipe_code vorpipe_transported_save(const vorpipe_transported* tra
 /* How velocities come to be those of a fluid that cannot be compressed. */
 typedef int32_t vorpipe_fluid_scheme;
 enum {
-  VORPIPE_FLUID_USUAL = 0,     /* as a case or a file has it, else springs */
+  VORPIPE_FLUID_USUAL = 0,     /* as a case or a file has it, else springs with a free surface, and projection */
   VORPIPE_FLUID_SPRINGS = 1,   /* springs pull each site to the centroid of its cell */
   VORPIPE_FLUID_PROJECTION = 2 /* velocities change no area, by a pressure; for domains that are full */
+};
+
+/* What a viscous fluid does at walls. */
+typedef int32_t vorpipe_fluid_walls;
+enum {
+  VORPIPE_WALLS_USUAL = 0, /* as a case or a file has it, else slip */
+  VORPIPE_WALLS_SLIP = 1,
+  VORPIPE_WALLS_NO_SLIP = 2 /* it sticks to them; for domains that are full */
 };
 
 typedef struct vorpipe_fluid_options {
@@ -771,6 +779,8 @@ typedef struct vorpipe_fluid_options {
   const double* densities;   /* masses per volume; NULL: 1 */
   vorpipe_progress progress; /* of each diagram; saying stop ends the step, as if it had not begun */
   void* progress_user;
+  double viscosity; /* kinematic, area per time; 0: as a case or a file has it, else none */
+  vorpipe_fluid_walls walls;
 } vorpipe_fluid_options;
 
 /* What a step has come to. */
@@ -785,6 +795,7 @@ typedef struct vorpipe_fluid_figures {
   double farthest; /* largest distance of a site to its centroid, in spacings */
   uint64_t diagrams, linear_iterations;
   double seconds; /* since it began */
+  double velocity_error; /* of the velocities, relative to the exact ones; NaN where those are not known */
 } vorpipe_fluid_figures;
 
 /* Why a fluid ended. */
@@ -796,9 +807,9 @@ enum {
   VORPIPE_FLUID_CANCELLED = 3
 };
 
-/* A fluid without friction whose parcels are cells that keep their areas. The session outlives it. */
+/* A fluid whose parcels are cells that keep their areas. The session outlives it. */
 typedef struct vorpipe_fluid vorpipe_fluid;
-/* Of the sites, weights, box, period and surface of an input, which has no outline, projection or density.
+/* Of the sites, weights, box, outline, period and surface of an input, which has no projection or density.
  * A free surface asks for volumes. `options` may be NULL. */
 VORPIPE_API vorpipe_code vorpipe_fluid_begin(vorpipe_session* session, const vorpipe_input* input,
                                              const vorpipe_fluid_options* options, vorpipe_fluid** fluid);

@@ -151,6 +151,7 @@ Result<Image> drawFluid(Session& session, const FluidState& state, const FluidOp
 CellsOptions cellsOptionsOf(const FluidOptions& options) {
   CellsOptions cells{};
   cells.domain = options.domain;
+  cells.outline = options.outline;
   cells.periodic = options.periodic;
   cells.search = options.search;
   return cells;
@@ -160,6 +161,7 @@ Input inputOf(const FluidState& state, const FluidOptions& options) {
   Input input{};
   input.sites = state.sites;
   input.domain = options.domain;
+  input.outline = options.outline;
   input.periodic = options.periodic;
   return input;
 }

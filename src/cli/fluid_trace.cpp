@@ -21,14 +21,15 @@ namespace fs = std::filesystem;
 
 constexpr std::string_view head =
     "step,time,length,kinetic,potential,spring,energy,momentum_x,momentum_y,worst,farthest,diagrams,"
-    "linear_iterations,halvings,seconds\n";
+    "linear_iterations,halvings,velocity_error,seconds\n";
 
 std::string rowOf(const FluidStep& step, bool with_times) {
   const std::string seconds = with_times ? fmt::format("{:.6f}", step.seconds) : std::string();
-  return fmt::format("{},{},{},{},{},{},{},{},{},{},{},{},{},{},{}\n", step.step, step.time, step.length,
+  const std::string error = step.velocity_error ? fmt::format("{}", *step.velocity_error) : std::string();
+  return fmt::format("{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{}\n", step.step, step.time, step.length,
                      step.kinetic, step.potential, step.spring, step.energy(), step.momentum.x,
                      step.momentum.y, step.worst, step.farthest, step.diagrams, step.linear_iterations,
-                     step.halvings, seconds);
+                     step.halvings, error, seconds);
 }
 
 /// Returns the existing trace up to the step of a checkpoint.

@@ -1,3 +1,5 @@
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -5,8 +7,13 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
+#include "base/refusal.h"
+#include "base/try.h"
+#include "domain/rings.h"
+#include "motion/movable.h"
 #include "vorpipe.h"
 #include "vorpipe/fluid.h"
 
@@ -51,10 +58,26 @@ Point shear(Point p) {
   return {std::tanh(30 * layer), 0.05 * std::sin(2 * pi * p.x)};
 }
 
+Point shearWave(Point p) { return {std::sin(2 * pi * p.y), 0}; }
+
+/// Poiseuille's flow between walls at y = 0 and 1, from rest under a unit acceleration: the steady parabola
+/// less a series whose terms decay.
+Point channel(Point p, double viscosity, double time) {
+  double speed = p.y * (1 - p.y) / 2;
+  // Terms fall as 1 / n^3.
+  for (int n = 1; n < 400; n += 2) {
+    const double wave = n * pi;
+    const double decay = std::exp(-viscosity * wave * wave * time);
+    speed -= 4 / (wave * wave * wave) * decay * std::sin(wave * p.y);
+  }
+  return {speed / viscosity, 0};
+}
+
 /// Sets squares that fill a domain, with velocities.
 template <class Velocity>
 void setFlow(FluidSetup& setup, std::uint64_t parcels, const Box& domain, double until,
-             const Velocity& velocity) {
+             const Velocity& velocity, FluidCase known) {
+  setup.options.known = known;
   setup.options.domain = domain;
   setup.options.until = until;
   setup.state.sites = squaresIn(domain, parcels);
@@ -64,28 +87,51 @@ void setFlow(FluidSetup& setup, std::uint64_t parcels, const Box& domain, double
 }
 
 void setTaylorGreen(FluidSetup& setup, std::uint64_t parcels) {
-  setFlow(setup, parcels, {0, 0, 1, 1}, 0.5, taylorGreen);
+  setFlow(setup, parcels, {0, 0, 1, 1}, 0.5, taylorGreen, FluidCase::taylor_green);
 }
 
 void setGresho(FluidSetup& setup, std::uint64_t parcels) {
-  setFlow(setup, parcels, {-0.5, -0.5, 0.5, 0.5}, 1, gresho);
+  setFlow(setup, parcels, {-0.5, -0.5, 0.5, 0.5}, 1, gresho, FluidCase::gresho);
 }
 
 void setShear(FluidSetup& setup, std::uint64_t parcels) {
   setup.options.periodic = Periodic::xy;
-  setFlow(setup, parcels, {0, 0, 1, 1}, 1, shear);
+  setFlow(setup, parcels, {0, 0, 1, 1}, 1, shear, FluidCase::shear);
 }
 
-/// A heavy fluid above a light one of a third of its density, in a box that is twice as high as wide; their
-/// border is a wave of the box's width.
+void setShearWave(FluidSetup& setup, std::uint64_t parcels) {
+  setup.options.periodic = Periodic::xy;
+  setFlow(setup, parcels, {0, 0, 1, 1}, 1, shearWave, FluidCase::shear_wave);
+}
+
+void setChannel(FluidSetup& setup, std::uint64_t parcels) {
+  setup.options.periodic = Periodic::x;
+  setup.options.gravity = {1, 0};
+  setup.options.viscosity = 0.1;
+  setup.options.walls = FluidWalls::no_slip;
+  const auto at_rest = [](Point) { return Point{0, 0}; };
+  setFlow(setup, parcels, {0, 0, 1, 1}, 1, at_rest, FluidCase::channel);
+}
+
+/// A heavy fluid above a light one of half its density, in a box that is twice as high as wide. Their border
+/// is a wave of the box's width. The lattice is moved as the wave would move it as long as it is low, which
+/// changes no areas, so that the border has no steps where smaller waves would begin. Viscosity damps the
+/// waves of single cells, which would grow fastest.
 void setRayleighTaylor(FluidSetup& setup, std::uint64_t parcels) {
-  setup.options.domain = {0, -1, 1, 1};
+  setup.options.domain = {0, 0, 1, 2};
   setup.options.gravity = {0, -1};
-  setup.options.until = 2.5;
+  setup.options.viscosity = 0.001;
+  setup.options.until = 3.5;
+  setup.options.known = FluidCase::rayleigh_taylor;
   setup.state.sites = squaresIn(setup.options.domain, parcels);
-  for (std::size_t i = 0; i < setup.state.sites.size(); ++i) {
-    const double border = 0.05 * std::cos(2 * pi * setup.state.sites.x[i]);
-    setup.state.density.push_back(setup.state.sites.y[i] > border ? 3 : 1);
+  Sites& sites = setup.state.sites;
+  constexpr double wave = 2 * pi, height = 0.05, border = 1.25;
+  for (std::size_t i = 0; i < sites.size(); ++i) {
+    const double above = sites.y[i] - border, phase = wave * sites.x[i];
+    const double moved = height * std::exp(-wave * std::abs(above));
+    setup.state.density.push_back(above > 0 ? 2 : 1);
+    sites.x[i] += std::copysign(moved, above) * std::sin(phase);
+    sites.y[i] += moved * std::cos(phase);
   }
 }
 
@@ -106,12 +152,14 @@ struct Case {
   void (*set)(FluidSetup& setup, std::uint64_t parcels);
 };
 
-constexpr std::array<Case, 5> cases{{
+constexpr std::array<Case, 7> cases{{
     {"taylor-green", FluidCase::taylor_green, setTaylorGreen},
     {"gresho", FluidCase::gresho, setGresho},
     {"shear", FluidCase::shear, setShear},
     {"rayleigh-taylor", FluidCase::rayleigh_taylor, setRayleighTaylor},
     {"dam-break", FluidCase::dam_break, setDamBreak},
+    {"shear-wave", FluidCase::shear_wave, setShearWave},
+    {"channel", FluidCase::channel, setChannel},
 }};
 
 }  // namespace
@@ -134,10 +182,74 @@ FluidSetup fluidCase(FluidCase which, std::uint64_t parcels) {
   return setup;
 }
 
-std::optional<Point> steadyVelocity(FluidCase which, Point at) {
-  if (which == FluidCase::taylor_green) return taylorGreen(at);
-  if (which == FluidCase::gresho) return gresho(at);
-  return std::nullopt;
+Result<FluidSetup> fluidCase(FluidCase which, std::uint64_t parcels, Outline outline) {
+  // The options of a case do not depend on its number of parcels.
+  FluidSetup setup = fluidCase(which, 64);
+  const auto refuse = [](std::string message) {
+    return tl::unexpected(refusalOf(Subject::outline, std::move(message)));
+  };
+  const FluidOptions& options = setup.options;
+  if (options.periodic != Periodic::none) return refuse("a case with a period has none");
+  if (options.surface == Surface::free) return refuse("a case with a free surface has none");
+  VORPIPE_LET(rings, core::ringsOf(outline, 0));
+  const Box &whole = options.domain, box = boxOf(outline.points);
+  if (box.xmin < whole.xmin || box.ymin < whole.ymin || box.xmax > whole.xmax || box.ymax > whole.ymax) {
+    return refuse(fmt::format("it reaches beyond the domain of the case, {},{},{},{}", whole.xmin, whole.ymin,
+                              whole.xmax, whole.ymax));
+  }
+  const double part = core::areaInside(rings, box) / ((whole.xmax - whole.xmin) * (whole.ymax - whole.ymin));
+  setup = fluidCase(which, static_cast<std::uint64_t>(static_cast<double>(parcels) / part));
+  const moving::AllowedPlaces inside(box, outline, Periodic::none);
+  FluidState& state = setup.state;
+  FluidState kept;
+  for (std::size_t i = 0; i < state.sites.size(); ++i) {
+    if (!inside.contain({state.sites.x[i], state.sites.y[i]})) continue;
+    kept.sites.x.push_back(state.sites.x[i]);
+    kept.sites.y.push_back(state.sites.y[i]);
+    if (!state.velocity.empty()) kept.velocity.push_back(state.velocity[i]);
+    if (!state.density.empty()) kept.density.push_back(state.density[i]);
+  }
+  if (kept.sites.size() == 0) return refuse("no site of the case lies in it; more of them may");
+  setup.state = std::move(kept);
+  setup.options.domain = box;
+  setup.options.outline = std::move(outline);
+  return setup;
+}
+
+bool hasExactVelocity(const FluidOptions& options) {
+  const bool is_still = options.gravity.x == 0 && options.gravity.y == 0;
+  const bool slides = options.viscosity == 0 || options.walls == FluidWalls::slip;
+  // A case may be begun in a domain of the caller's.
+  if (!options.known || !options.outline.empty()) return false;
+  switch (*options.known) {
+    case FluidCase::taylor_green:
+      return slides;
+    case FluidCase::gresho:
+      return options.viscosity == 0;
+    case FluidCase::shear_wave:
+      return is_still;
+    case FluidCase::channel:
+      return options.viscosity > 0 && options.walls == FluidWalls::no_slip && options.gravity == Point{1, 0};
+    default:
+      return false;
+  }
+}
+
+Point exactVelocity(const FluidOptions& options, Point at, double time) {
+  const auto decayed = [&](Point v, double squared_wave) {
+    const double left = std::exp(-options.viscosity * squared_wave * time);
+    return Point{left * v.x, left * v.y};
+  };
+  switch (options.known.value()) {
+    case FluidCase::gresho:
+      return gresho(at);
+    case FluidCase::shear_wave:
+      return decayed(shearWave(at), 4 * pi * pi);
+    case FluidCase::channel:
+      return channel(at, options.viscosity, time);
+    default:
+      return decayed(taylorGreen(at), 2 * pi * pi);
+  }
 }
 
 }  // namespace vorpipe

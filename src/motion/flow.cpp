@@ -13,6 +13,7 @@
 #include "motion/memory_order.h"
 #include "motion/movable.h"
 #include "motion/softness.h"
+#include "motion/viscosity.h"
 
 namespace vorpipe::moving {
 namespace {
@@ -98,7 +99,8 @@ Flow::Flow(Session& session, const FluidOptions& options, const Parcels& parcels
       stiffness_(options.scheme == FluidScheme::springs
                      ? lightest(parcels) / (options.epsilon * options.epsilon)
                      : 0),
-      cells_(session, cellsOf(options), options.surface, parcels.volume) {}
+      cells_(session, cellsOf(options), options.surface, parcels.volume),
+      allowed_(options.domain, options.outline, options.periodic) {}
 
 /// Moves sites back into the period, and records mass times shift along gravity.
 Result<void> Flow::wrap(Parcels& parcels) const {
@@ -175,6 +177,26 @@ void Flow::drift(Parcels& parcels, double time) const {
     parcels.sites.x[i] += time * parcels.velocity[i].x;
     parcels.sites.y[i] += time * parcels.velocity[i].y;
   });
+  if (!options_.outline.empty()) keepInside(parcels);
+}
+
+/// Beyond a box's walls a site may still be nearest to its cell. Beyond an outline it may be in a hole, or
+/// nearer to another part of the fluid. So it ends at the outline, and no longer moves toward it.
+void Flow::keepInside(Parcels& parcels) const {
+  forAll(parcels.size(), threads_, [&](std::size_t i) {
+    const Point at{parcels.sites.x[i], parcels.sites.y[i]};
+    if (allowed_.contain(at)) return;
+    const Point inside = allowed_.nearestTo(at);
+    const Point back{inside.x - at.x, inside.y - at.y};
+    Point& v = parcels.velocity[i];
+    const double toward = back.x * v.x + back.y * v.y;
+    if (toward < 0) {
+      v.x -= toward / square(back) * back.x;
+      v.y -= toward / square(back) * back.y;
+    }
+    parcels.sites.x[i] = inside.x;
+    parcels.sites.y[i] = inside.y;
+  });
 }
 
 /// Velocity Verlet of x' = v, v' = (c - x) / epsilon^2 + g, with c the centroid of the cell (Gallouet and
@@ -183,8 +205,24 @@ Result<bool> Flow::springs(Parcels& parcels, double length) {
   kick(parcels.velocity, parcels.acceleration, length / 2, threads_);
   drift(parcels, length);
   auto placed = place(parcels, length);
-  if (placed && *placed) kick(parcels.velocity, parcels.acceleration, length / 2, threads_);
-  return placed;
+  if (!placed || !*placed) return placed;
+  kick(parcels.velocity, parcels.acceleration, length / 2, threads_);
+  VORPIPE_TRY(diffuse(parcels, length));
+  return true;
+}
+
+/// Lets the viscosity act for a time, while parcels stay where they were placed.
+Result<void> Flow::diffuse(Parcels& parcels, double time) {
+  if (options_.viscosity == 0) return {};
+  bool stopped = false;
+  const auto continues = [&] {
+    stopped = stopped || (options_.progress && !options_.progress("viscosity", 0));
+    return !stopped;
+  };
+  const Friction friction(cells_.cells(), parcels, options_, threads_);
+  iterations_ += friction.act(time, parcels.velocity, continues);
+  if (stopped) return cancelled("viscosity had acted");
+  return {};
 }
 
 /// Zehnder, Narain and Thomaszewski 2018, algorithm 1, for sites that carry their velocities: half a step,
@@ -209,6 +247,7 @@ Result<bool> Flow::reflection(Parcels& parcels, double length) {
   };
   auto placed = half(std::max(options_.tolerance, tolerance_in_the_middle));
   if (!placed || !*placed) return placed;
+  VORPIPE_TRY(diffuse(parcels, length));
   const std::vector<Point> before = parcels.velocity;
   // Starts from the last step's pressure: area changes grow with the time since, and so does this pressure.
   const double scale = -length / 2;
@@ -277,6 +316,15 @@ void Flow::measure(const Parcels& parcels, FluidStep& step) const {
   }
   step.fastest = std::sqrt(step.fastest);
   step.farthest = std::sqrt(step.farthest) / spacing_;
+  if (!hasExactVelocity(options_)) return;
+  CarefulSum error, whole;
+  for (std::size_t i = 0; i < parcels.size(); ++i) {
+    const Point exact = exactVelocity(options_, {parcels.sites.x[i], parcels.sites.y[i]}, step.time);
+    const Point v = parcels.velocity[i];
+    error.add(parcels.volume[i] * square({v.x - exact.x, v.y - exact.y}));
+    whole.add(parcels.volume[i] * square(exact));
+  }
+  if (whole.value() > 0) step.velocity_error = std::sqrt(error.value() / whole.value());
 }
 
 void Flow::count(FluidStep& step) {

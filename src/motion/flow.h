@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "motion/movable.h"
 #include "motion/prescribed_cells.h"
 #include "vorpipe.h"
 #include "vorpipe/fluid.h"
@@ -45,7 +46,7 @@ class Flow {
   /// Returns the time of the next step, if the options leave it open.
   [[nodiscard]] double length(const Parcels& parcels) const;
 
-  /// Measures energies, momentum and errors of the parcels placed last.
+  /// Measures energies, momentum and errors of the parcels placed last, at the time of the step.
   void measure(const Parcels& parcels, FluidStep& step) const;
   /// Adds the diagrams and iterations since the last call.
   void count(FluidStep& step);
@@ -58,13 +59,16 @@ class Flow {
   Result<bool> areas(Parcels& parcels, double time, double tolerance);
   Result<void> wrap(Parcels& parcels) const;
   void drift(Parcels& parcels, double time) const;
+  void keepInside(Parcels& parcels) const;
   void accelerate(Parcels& parcels) const;
+  Result<void> diffuse(Parcels& parcels, double time);
 
   const FluidOptions& options_;
   int threads_;
   double spacing_;
   double stiffness_;  ///< of springs, by volume
   PrescribedCells cells_;
+  AllowedPlaces allowed_;
   std::uint64_t diagrams_ = 0, iterations_ = 0;
 };
 

@@ -16,6 +16,7 @@
 #include "motion/movable.h"
 #include "motion/softness.h"
 #include "vorpipe.h"
+#include "vorpipe/masses.h"
 
 namespace vorpipe {
 
@@ -63,6 +64,12 @@ Result<void> checkOptions(const FluidOptions& options) {
   if (options.scheme == FluidScheme::projection && options.surface == Surface::free) {
     return refuse("scheme: projection is for domains that are full; springs have free surfaces");
   }
+  if (!(options.viscosity >= 0 && options.viscosity <= largest)) {
+    return refuse(fmt::format("viscosity: it is not from 0 to {:.0e}", largest));
+  }
+  if (options.walls == FluidWalls::slip) return {};
+  if (options.viscosity == 0) return refuse("walls: without viscosity a fluid does not stick to them");
+  if (options.surface == Surface::free) return refuse("walls: a fluid with a free surface slides along them");
   return {};
 }
 
@@ -77,8 +84,20 @@ Result<void> checkVolumes(Surface surface, const std::vector<double>& volume, do
       fmt::format("volume: they add up to {}, and the area of the domain is {}", sum.value(), area));
 }
 
+/// Refuses sites outside of the outline. Those of a fluid that has moved may be just beyond it by rounding.
+Result<void> checkInside(const FluidOptions& options, const FluidState& state) {
+  if (options.outline.empty() || state.step > 0) return {};
+  const AllowedPlaces allowed(options.domain, options.outline, options.periodic);
+  std::size_t outside = 0;
+  for (std::size_t i = 0; i < state.sites.size(); ++i) {
+    if (!allowed.contain({state.sites.x[i], state.sites.y[i]})) ++outside;
+  }
+  if (outside == 0) return {};
+  return refuse(fmt::format("sites: {} of {} lie outside of the outline", outside, state.sites.size()));
+}
+
 /// Refuses arrays that do not match these sites, and fills in those that may be left out.
-Result<void> completeState(const FluidOptions& options, FluidState& state) {
+Result<void> completeState(Session& session, const FluidOptions& options, FluidState& state) {
   const std::size_t count = state.sites.size();
   const auto positive = [](double value) { return value > 0 && std::isfinite(value); };
   const auto fits = [&](std::size_t size) { return size == count || size == 0; };
@@ -97,8 +116,10 @@ Result<void> completeState(const FluidOptions& options, FluidState& state) {
   if (!std::ranges::all_of(state.density, usable)) return refuseRange("density");
   if (!std::ranges::all_of(state.pressure, usable)) return refuseRange("pressure");
   state.velocity.resize(count, Point{0, 0});
-  const Box& box = options.domain;
-  const double area = (box.xmax - box.xmin) * (box.ymax - box.ymin);
+  TransportOptions whole{};
+  whole.domain = options.domain;
+  whole.outline = options.outline;
+  VORPIPE_LET(area, massOfDomain(session, whole));
   if (!state.volume.empty()) return checkVolumes(options.surface, state.volume, area);
   if (options.surface == Surface::free) return refuse("volume: a free surface asks for one of each site");
   state.volume.assign(count, area / static_cast<double>(count));
@@ -248,7 +269,8 @@ Result<bool> Fluid::State::advance() {
   if (is_torn) {
     VORPIPE_TRY(placeAgain());
   }
-  FluidStep step{callers.step + 1};
+  FluidStep step{};
+  step.step = callers.step + 1;
   const double left = options.until - callers.time;
   double length = flow->length(now);
   // The time left after the last whole step may be only rounding.
@@ -267,6 +289,8 @@ Result<bool> Fluid::State::advance() {
     end = FluidEnd::cancelled;
     return false;
   }
+  step.time = is_last ? options.until : callers.time + length;
+  step.length = length;
   Parcels before = now;
   Result<bool> done = false;
   bool had_memory = true;
@@ -278,9 +302,7 @@ Result<bool> Fluid::State::advance() {
   if (had_memory && done && *done) {
     callers_are_old = true;
     callers.step = step.step;
-    callers.time = is_last ? options.until : callers.time + length;
-    step.time = callers.time;
-    step.length = length;
+    callers.time = step.time;
     step.seconds = watch.seconds();
     last = step;
     judge(step);
@@ -302,11 +324,18 @@ Fluid::Fluid(Fluid&&) noexcept = default;
 Fluid& Fluid::operator=(Fluid&&) noexcept = default;
 Fluid::~Fluid() = default;
 
+FluidScheme schemeOf(const FluidOptions& options) {
+  if (options.scheme != FluidScheme::automatic) return options.scheme;
+  return options.surface == Surface::none ? FluidScheme::projection : FluidScheme::springs;
+}
+
 Result<Fluid> Fluid::begin(Session& session, FluidState state, FluidOptions options) {
   if (options.epsilon == 0) options.epsilon = state.epsilon;
+  options.scheme = schemeOf(options);
   VORPIPE_TRY(checkOptions(options));
   VORPIPE_TRY(checkMovable(state.sites, cellsOf(options), session.threads()));
-  VORPIPE_TRY(completeState(options, state));
+  VORPIPE_TRY(checkInside(options, state));
+  VORPIPE_TRY(completeState(session, options, state));
   VORPIPE_TRY(checkDistinct(state.sites, options, session.threads()));
   const bool is_chosen = options.epsilon == 0;
   if (is_chosen) options.epsilon = usualEpsilon(state, options);
@@ -376,6 +405,7 @@ Result<void> Fluid::push(const std::vector<Point>& velocities) {
   }
   s.callers_are_old = true;
   s.is_pushed = true;
+  s.options.known.reset();
   return {};
 }
 

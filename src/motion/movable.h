@@ -18,6 +18,8 @@ CellsOptions cellsOf(const Options& options) {
   cells.progress = options.progress;
   if constexpr (requires { options.outline; }) {
     cells.outline = options.outline;
+  }
+  if constexpr (requires { options.density; }) {
     cells.density = options.density;
   }
   return cells;

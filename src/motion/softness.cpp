@@ -104,9 +104,9 @@ std::vector<std::string> notesBefore(const FluidState& state, const FluidOptions
   if (!unfit.empty()) notes.push_back(std::move(unfit));
   if (options.step > longestStep(epsilon)) {
     notes.push_back(fmt::format(
-        "step: one of {:.3g} is longer than springs of epsilon {:.3g} stand, {:.3g}: energy will grow "
-        "without an end; {:.3g} keeps it",
-        options.step, epsilon, longestStep(epsilon), epsilon / 4));
+        "step: {:.3g} is longer than the {:.3g} up to which springs of epsilon {:.3g} are stable: energy "
+        "will grow without end; {:.3g} conserves it",
+        options.step, longestStep(epsilon), epsilon, epsilon / 4));
   }
   return notes;
 }

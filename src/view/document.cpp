@@ -24,6 +24,7 @@ Opened openedFluid(FixedFluid fluid, std::string name) {
   Opened opened;
   opened.sites = *fluid->sites;
   opened.domain = fluid->setup.options.domain;
+  opened.outline = fluid->setup.options.outline;
   opened.periodic = fluid->setup.options.periodic;
   opened.fluid = std::move(fluid);
   opened.fluid_name = std::move(name);

@@ -137,10 +137,11 @@ void drawOptions(PanelFrame& frame) {
   FluidOptions options = frame.input.fluid->options;
   const bool is_full = options.surface == vorpipe::Surface::none;
   widgets.row("Scheme");
-  const int scheme =
-      widgets.choice("Scheme", namesFrom<FluidScheme>(), static_cast<int>(options.scheme), is_full);
+  std::vector<std::string> schemes = namesFrom<FluidScheme>();
+  schemes.pop_back();  // auto, which is one of the others
+  const int scheme = widgets.choice("Scheme", schemes, static_cast<int>(schemeOf(options)), is_full);
   if (!is_full) widgets.tooltip("Projection is for domains that are full");
-  if (scheme >= 0 && scheme != static_cast<int>(options.scheme)) {
+  if (scheme >= 0 && scheme != static_cast<int>(schemeOf(options))) {
     options.scheme = static_cast<FluidScheme>(scheme);
     frame.result.flows_by = options;
   }

@@ -1,4 +1,4 @@
-/// A frictionless fluid whose parcels are cells of constant area.
+/// A fluid whose parcels are cells of constant area.
 #pragma once
 
 #include <cstdint>
@@ -27,14 +27,38 @@ enum class FluidScheme : std::uint8_t {
   /// velocities (Zehnder, Narain and Thomaszewski 2018), which conserves energy where projections alone lose
   /// it. Second order; only for domains that the fluid fills.
   projection,
+  automatic,  ///< projection where the fluid fills the domain, springs where it has a free surface
+};
+
+/// What a viscous fluid does at walls, which never let it through.
+enum class FluidWalls : std::uint8_t {
+  slip,    ///< it slides along them without friction
+  no_slip  ///< it sticks to them; only for domains that the fluid fills
+};
+
+/// Ready-made flows.
+enum class FluidCase : std::uint8_t {
+  taylor_green,     ///< a vortex that fills the unit square, steady without viscosity
+  gresho,           ///< a steady vortex with a rim, in a box
+  shear,            ///< two layers that slide along each other and roll up, periodic
+  rayleigh_taylor,  ///< a heavy fluid above a light one
+  dam_break,        ///< a falling column of water, twice as high as wide, in a box four times as wide
+  shear_wave,       ///< a sine of velocities across the unit square, periodic, steady without viscosity
+  channel,          ///< a viscous fluid that gravity pulls along a channel, periodic, with walls it sticks to
 };
 
 struct FluidOptions {
   Box domain;
+  Outline outline;  ///< walls of any shape, as in CellsOptions; not with a period or a free surface
   Periodic periodic = Periodic::none;
   Surface surface = Surface::none;
   Point gravity{0, 0};
-  FluidScheme scheme = FluidScheme::springs;
+  FluidScheme scheme = FluidScheme::automatic;
+  double viscosity = 0;  ///< kinematic: area per time
+  FluidWalls walls = FluidWalls::slip;
+  /// The flow that this is, with the sites and velocities that it begins with. Then the error of velocities
+  /// is known where exactVelocity() is.
+  std::optional<FluidCase> known;
   double step = 0;  ///< time step; 0: each as long as the sites' speeds and the springs allow
   /// A time: springs oscillate with a period of 2 pi times this. 0: 2 spacings (3 with a free surface) over a
   /// speed; a spacing is the root of the mean volume. The speed is the largest initial speed, or half the
@@ -48,6 +72,9 @@ struct FluidOptions {
   SearchOptions search;
   Progress progress;  ///< may be empty
 };
+
+/// The scheme of these options: springs or projection.
+FluidScheme schemeOf(const FluidOptions& options);
 
 /// Everything that a later step depends on, by site. A fluid that continues from it gives the same bytes.
 struct FluidState {
@@ -77,6 +104,8 @@ struct FluidStep {
   double worst = 0;     ///< largest |area - volume| / volume
   double farthest = 0;  ///< largest distance from a site to its centroid, in spacings
   double fastest = 0;   ///< largest speed
+  /// Root mean square of the difference from exactVelocity(), over that of the latter; none if it is unknown.
+  std::optional<double> velocity_error;
   std::uint64_t diagrams = 0, linear_iterations = 0;
   std::uint64_t halvings = 0;  ///< number of times that a step was halved because areas were not found
   double seconds = 0;          ///< since the fluid began
@@ -94,9 +123,9 @@ enum class FluidEnd : std::uint8_t {
 /// A fluid, step by step. The session outlives it.
 class Fluid {
  public:
-  /// Finds the cells. Errors (input): those of transport(); velocities, volumes or densities that are not
-  /// finite or not as many as the sites; a scheme that does not support the surface; areas that could not be
-  /// found.
+  /// Finds the cells. Errors (input): those of transport(); sites outside of the outline; velocities, volumes
+  /// or densities that are not finite or not as many as the sites; a scheme that does not support the
+  /// surface; areas that could not be found.
   static Result<Fluid> begin(Session& session, FluidState state, FluidOptions options);
   Fluid(Fluid&&) noexcept;
   Fluid& operator=(Fluid&&) noexcept;
@@ -132,15 +161,6 @@ class Fluid {
   std::unique_ptr<State> state_;
 };
 
-/// Ready-made flows.
-enum class FluidCase : std::uint8_t {
-  taylor_green,     ///< a steady vortex that fills the unit square
-  gresho,           ///< a steady vortex with a rim, in a box
-  shear,            ///< two layers that slide along each other and roll up, periodic
-  rayleigh_taylor,  ///< a heavy fluid above a light one
-  dam_break,        ///< a falling column of water, twice as high as wide, in a box four times as wide
-};
-
 std::vector<std::string> fluidCaseNames();
 std::optional<FluidCase> fluidCaseOf(std::string_view name);
 
@@ -151,8 +171,16 @@ struct FluidSetup {
 
 /// Sets up a flow with about `parcels` parcels, at least 4.
 FluidSetup fluidCase(FluidCase which, std::uint64_t parcels);
+/// The same inside of an outline, which lies in the case's domain: those parcels of the case, in greater
+/// number, whose sites lie inside. Errors (input): those of checkInput for an outline; the case has a period
+/// or a free surface; the outline reaches beyond the case's domain.
+Result<FluidSetup> fluidCase(FluidCase which, std::uint64_t parcels, Outline outline);
 
-/// The velocity at a place if the flow is steady; else nothing.
-std::optional<Point> steadyVelocity(FluidCase which, Point at);
+/// Whether the exact velocity of the known flow is known under these options: their viscosity, walls, gravity
+/// and domain must be those of the solution.
+bool hasExactVelocity(const FluidOptions& options);
+
+/// The exact velocity at a place and time of a flow for which there is one.
+Point exactVelocity(const FluidOptions& options, Point at, double time);
 
 }  // namespace vorpipe

@@ -36,11 +36,13 @@ struct FluidCommand : RunOptions {
 /// Returns the measured bytes per cell besides the diagram: parcels, their masses and weights, the matrix of
 /// Newton's steps and the levels of its solver. With projection also how areas change with velocities, and
 /// discs.
-std::uint64_t bytesOf(FluidScheme scheme, Surface surface, Periodic periodic) {
-  constexpr std::uint64_t of_springs = 920, of_periodic = 1300, of_projection = 1300, of_surface = 1850;
-  if (surface == Surface::free) return of_surface;
-  if (periodic != Periodic::none) return of_periodic;
-  return scheme == FluidScheme::projection ? of_projection : of_springs;
+std::uint64_t bytesOf(const FluidOptions& options) {
+  constexpr std::uint64_t of_springs = 920, of_projection = 1300, of_surface = 1850, of_friction = 250,
+                          of_polygons = 1700;
+  const std::uint64_t friction = options.viscosity != 0 ? of_friction : 0;
+  if (options.surface == Surface::free) return of_surface + friction;
+  if (options.periodic != Periodic::none || !options.outline.empty()) return of_polygons + friction;
+  return (schemeOf(options) == FluidScheme::projection ? of_projection : of_springs) + friction;
 }
 
 std::string_view optionOf(const FluidChoices& choices) {
@@ -85,8 +87,7 @@ Result<void> forecastCase(const FluidCommand& command) {
   Workload work;
   work.sites = choices.particles;
   work.periodic = options.periodic != Periodic::none;
-  const auto of_fluid = bytesOf(options.scheme, options.surface, options.periodic);
-  return allowed(command, peakOf(command, work, of_fluid, options.domain)).map([](std::uint64_t) {});
+  return allowed(command, peakOf(command, work, bytesOf(options), options.domain)).map([](std::uint64_t) {});
 }
 
 /// Returns the peak memory of a run, in bytes. Errors: those of allowed and workloadOf.
@@ -95,8 +96,7 @@ Result<std::uint64_t> forecastFluid(const FluidCommand& command, const FluidSetu
   const FluidOptions& options = setup.options;
   VORPIPE_LET(work, workloadOf(setup.state.sites, cellsOptionsOf(options), ImagesFor::cells, device,
                                command.backend.threads));
-  return allowed(command, peakOf(command, work, bytesOf(options.scheme, options.surface, options.periodic),
-                                 options.domain));
+  return allowed(command, peakOf(command, work, bytesOf(options), options.domain));
 }
 
 /// Why a run ended.
@@ -234,8 +234,12 @@ Result<void> writeFiles(const FluidCommand& command, CommandRun& run, const Flui
   output.figures = [&](nlohmann::ordered_json& json) {
     const FluidStep &first = outcome.first, &last = outcome.last;
     nlohmann::ordered_json epsilon;
-    if (options.scheme == FluidScheme::springs) epsilon = outcome.epsilon;
-    json["fluid"] = {{"scheme", nameOf(options.scheme)},
+    if (schemeOf(options) == FluidScheme::springs) epsilon = outcome.epsilon;
+    nlohmann::ordered_json error;
+    if (last.velocity_error) error = *last.velocity_error;
+    json["fluid"] = {{"scheme", nameOf(schemeOf(options))},
+                     {"viscosity", options.viscosity},
+                     {"walls", nameOf(options.walls)},
                      {"epsilon", epsilon},
                      {"end", endWordOf(outcome.end)},
                      {"step", {first.step, last.step}},
@@ -247,17 +251,20 @@ Result<void> writeFiles(const FluidCommand& command, CommandRun& run, const Flui
                      {"energy_drift", outcome.drift},
                      {"momentum", {last.momentum.x, last.momentum.y}},
                      {"worst_area", outcome.worst},
-                     {"farthest", {first.farthest, last.farthest}}};
+                     {"farthest", {first.farthest, last.farthest}},
+                     {"velocity_error", error}};
   };
   return run.write(output);
 }
 
 std::string fluidSummary(const FluidOutcome& outcome, const FluidOptions& options) {
   const FluidStep &first = outcome.first, &last = outcome.last;
+  const std::string error =
+      last.velocity_error ? fmt::format(", velocities within {:.1e}", *last.velocity_error) : std::string();
   return fmt::format(
-      "{} cells by {}, time {:.6g} after {} steps ({}), energy {:.6g} to {:.6g}, areas within {:.1e}",
-      outcome.input.sites.size(), nameOf(options.scheme), last.time, last.step - first.step,
-      endWordOf(outcome.end), first.energy(), last.energy(), outcome.worst);
+      "{} cells by {}, time {:.6g} after {} steps ({}), energy {:.6g} to {:.6g}, areas within {:.1e}{}",
+      outcome.input.sites.size(), nameOf(schemeOf(options)), last.time, last.step - first.step,
+      endWordOf(outcome.end), first.energy(), last.energy(), outcome.worst, error);
 }
 
 /// Returns the exit code, and prints an error for an unwanted end.
@@ -317,7 +324,7 @@ Result<ExitCode> fluid(const FluidCommand& command, const Invocation& how) {
 void addFluid(CommandLine& line) {
   auto command = std::make_shared<FluidCommand>();
   Options options = line.addSubcommand(
-      "fluid", "a fluid without friction whose cells keep their areas: vortices, falling columns, two fluids",
+      "fluid", "a fluid whose cells keep their areas: vortices, falling columns, two fluids, viscous flows",
       [command](const Invocation& how) { return fluid(*command, how); });
   addFluidChoices(options, command->choices);
   options.group("Output");

@@ -116,10 +116,9 @@ Result<void> checkFluid(const ViewCommand& command) {
       {"--columns", !input.reading.columns.empty()},
       {"--missing", input.reading.skip_missing},
       {"--layer", !input.reading.layer.empty()},
-      {"--repair", input.repair},
       {"--weights", !input.weights.empty()},
       {"--random-weights", input.random_weights.has_value()},
-      {"--domain", input.domain.hull || input.domain.box || !input.domain.file.empty()},
+      {"--domain", input.domain.hull || input.domain.box},
       {"--margin", input.margin.has_value()},
       {"--project", input.project.has_value()},
       {"--periodic", input.periodic != Periodic::none},
@@ -134,7 +133,11 @@ Result<void> checkFluid(const ViewCommand& command) {
 
 Result<view::Opened> openedBy(const ViewCommand& command) {
   if (!isFluid(command)) return openForView(command.input, command.talk);
-  return openFluidForView(command.fluid, command.backend, command.picture.render.search);
+  FluidChoices choices = command.fluid;
+  choices.domain = command.input.domain.file;
+  choices.domain_layer = command.input.domain_layer;
+  choices.repair = command.input.repair;
+  return openFluidForView(choices, command.backend, command.picture.render.search);
 }
 
 Result<view::AppOptions> appOf(const ViewCommand& command) {

@@ -14,6 +14,7 @@
 #include "io/base/number.h"
 #include "io/base/quoted.h"
 #include "io/cells/fluid_state.h"
+#include "io/sites/outline_file.h"
 #include "io/sites/sites_file.h"
 
 namespace vorpipe::cli {
@@ -54,6 +55,8 @@ std::vector<std::string> FluidTargets::paths() const {
   return paths;
 }
 
+std::string_view nameOf(FluidWalls walls) { return walls == FluidWalls::slip ? "slip" : "no-slip"; }
+
 void addFluidStart(Options& options, FluidChoices& choices, std::string_view usual_end) {
   options.group("Fluid");
   addParsed(
@@ -79,6 +82,15 @@ void addFluidStart(Options& options, FluidChoices& choices, std::string_view usu
 
 void addFluidChoices(Options& options, FluidChoices& choices) {
   addFluidStart(options, choices, "as the case has it");
+  const Option domain =
+      addAnyFile(options, "--domain", choices.domain, outlineExtensions(),
+                 "an outline as walls, with holes as obstacles: polygons; a named case begins inside of it");
+  options.addText("--domain-layer", choices.domain_layer, "NAME", "the layer of a --domain in GeoPackage")
+      .needs(domain);
+  options
+      .addFlag("--repair", choices.repair,
+               "mends polygons of --domain that cross themselves, and says what it changed")
+      .needs(domain);
   addParsed(options, "--steps", choices.steps, "N", "ends after so many steps of this run",
             [](std::string_view text) { return parseWhole(text, 0, UINT32_MAX); });
   addParsed(options, "--seconds", choices.seconds, "S", "ends after so much time of the clock",
@@ -117,6 +129,36 @@ void takeGiven(const FluidChoices& choices, FluidOptions& options) {
   });
 }
 
+namespace {
+
+Result<FluidSetup> withoutOutline(const FluidChoices& choices, std::optional<FluidCase> named) {
+  if (named) return fluidCase(*named, choices.particles);
+  return readFluid(choices.begin.empty() ? choices.resume : choices.begin);
+}
+
+Result<FluidSetup> withOutline(const FluidChoices& choices, std::optional<FluidCase> named) {
+  const auto refused = [](Error error) {
+    error.message.insert(0, "--domain: ");
+    return tl::unexpected(std::move(error));
+  };
+  auto read = readOutline(choices.domain, choices.domain_layer);
+  if (!read) return refused(std::move(read.error()));
+  auto outline = mended(read->outline, choices.repair);
+  if (!outline) return refused(std::move(outline.error()));
+  if (named) {
+    auto setup = fluidCase(*named, choices.particles, std::move(outline->outline));
+    if (!setup) return refused(std::move(setup.error()));
+    return setup;
+  }
+  auto setup = readFluid(choices.begin);
+  if (!setup) return setup;
+  setup->options.outline = std::move(outline->outline);
+  setup->options.domain = boxOf(setup->options.outline.points);
+  return setup;
+}
+
+}  // namespace
+
 Result<FluidSetup> startOf(const FluidChoices& choices) {
   if (choices.begin.empty() == choices.resume.empty()) {
     return inputError(choices.begin.empty() ? "--case: name what to begin with (or --resume a checkpoint)"
@@ -126,8 +168,10 @@ Result<FluidSetup> startOf(const FluidChoices& choices) {
   if (!named && choices.particles_named) {
     return inputError("--particles: is for named cases; files have as many as they have");
   }
-  auto setup = named ? Result<FluidSetup>(fluidCase(*named, choices.particles))
-                     : readFluid(choices.begin.empty() ? choices.resume : choices.begin);
+  if (!choices.domain.empty() && !choices.resume.empty()) {
+    return inputError("--domain: a checkpoint has its own");
+  }
+  auto setup = choices.domain.empty() ? withoutOutline(choices, named) : withOutline(choices, named);
   if (!setup) return setup;
   takeGiven(choices, setup->options);
   return setup;

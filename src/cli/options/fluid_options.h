@@ -24,6 +24,8 @@ struct FluidChoices {
   bool particles_named = false;
   FluidOptions options{};
   std::set<std::string_view> given;  ///< the names of those options that are given, by fluid_rows
+  std::string domain, domain_layer;  ///< a file with an outline, and a layer of it
+  bool repair = false;               ///< of the outline
   std::optional<std::uint64_t> steps;
   std::optional<double> seconds;
 };
@@ -45,11 +47,11 @@ struct FluidTargets {
   [[nodiscard]] std::vector<std::string> paths() const;
 };
 
-/// --case, --resume, --particles, --time, --step, --scheme, --epsilon, --gravity, --tolerance; `usual_end`
-/// describes the end time if none is given
+/// --case, --resume, --particles, --time, --step, --scheme, --epsilon, --viscosity, --walls, --gravity,
+/// --tolerance; `usual_end` describes the end time if none is given
 void addFluidStart(Options& options, FluidChoices& choices, std::string_view usual_end);
 
-/// All of the above, --steps and --seconds
+/// All of the above, --domain, --domain-layer, --repair, --steps and --seconds
 void addFluidChoices(Options& options, FluidChoices& choices);
 
 /// --flow-color

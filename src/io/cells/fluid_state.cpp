@@ -31,10 +31,11 @@ std::vector<Point> pointsOf(const std::vector<double>& numbers) {
   return points;
 }
 
-constexpr std::array<std::string_view, 21> array_names{
-    "sites",   "weights",   "velocity", "volume",   "density",  "pressure", "trend",
-    "order",   "domain",    "gravity",  "carried",  "time",     "until",    "length",
-    "epsilon", "tolerance", "step",     "diagrams", "periodic", "surface",  "scheme"};
+constexpr std::array<std::string_view, 27> array_names{
+    "sites",   "weights",          "velocity",     "volume",  "density", "pressure",  "trend",   "order",
+    "domain",  "gravity",          "carried",      "time",    "until",   "length",    "epsilon", "tolerance",
+    "step",    "diagrams",         "periodic",     "surface", "scheme",  "viscosity", "walls",   "case",
+    "outline", "outline_polygons", "outline_rings"};
 
 /// Refuses unknown arrays. A state is all that later steps depend on, so an unknown array is probably a
 /// misspelled one.
@@ -105,6 +106,41 @@ class Reader {
   const NpzFile& file_;
 };
 
+/// A case by its name or its number.
+std::optional<FluidCase> caseIn(Reader& read, const NpzFile& file) {
+  if (!file.has("case")) return std::nullopt;
+  const std::vector<std::string> names = fluidCaseNames();
+  std::string name;
+  std::uint8_t number = 0;
+  if (const auto text = file.text("case")) {
+    name = *text;
+  } else {
+    read.single("case", number);
+    name = number < names.size() ? names[number] : std::to_string(number);
+  }
+  const auto known = fluidCaseOf(name);
+  if (!known) read.refuse(fmt::format("case is {}, not one of {}", inQuotes(name), fmt::join(names, ", ")));
+  return known;
+}
+
+/// Without offsets the outline is one ring.
+Outline outlineIn(Reader& read, const NpzFile& file) {
+  Outline outline;
+  outline.points = pointsOf(read.many<double>("outline", 2));
+  if (outline.empty()) return {};
+  const auto offsets = [&](const char* name, std::uint64_t count) {
+    if (!file.has(name)) return std::vector<std::uint64_t>{0, count};
+    auto found = read.many<std::uint64_t>(name);
+    const bool fit =
+        found.size() > 1 && found.front() == 0 && found.back() == count && std::ranges::is_sorted(found);
+    if (!fit) read.refuse(fmt::format("{} does not go from 0 to {}", name, count));
+    return found;
+  };
+  outline.ring_offsets = offsets("outline_rings", outline.points.size());
+  outline.polygon_offsets = offsets("outline_polygons", outline.ring_offsets.size() - 1);
+  return outline;
+}
+
 }  // namespace
 
 Result<void> writeFluid(ByteSink& sink, const FluidState& state, const FluidOptions& options) {
@@ -116,7 +152,7 @@ Result<void> writeFluid(ByteSink& sink, const FluidState& state, const FluidOpti
   const std::array<double, 4> domain{box.xmin, box.ymin, box.xmax, box.ymax};
   const std::array<std::uint8_t, 3> names{static_cast<std::uint8_t>(options.periodic),
                                           static_cast<std::uint8_t>(options.surface),
-                                          static_cast<std::uint8_t>(options.scheme)};
+                                          static_cast<std::uint8_t>(schemeOf(options))};
   NpzArrays arrays;
   arrays.addUnlessEmpty<double, 2>("sites", positions);
   arrays.addUnlessEmpty<double>("weights", state.sites.weight);
@@ -141,6 +177,15 @@ Result<void> writeFluid(ByteSink& sink, const FluidState& state, const FluidOpti
   arrays.add<std::uint8_t>("periodic", one(names[0]));
   arrays.add<std::uint8_t>("surface", one(names[1]));
   arrays.add<std::uint8_t>("scheme", one(names[2]));
+  if (options.viscosity != 0) arrays.add<double>("viscosity", one(options.viscosity));
+  const auto walls = static_cast<std::uint8_t>(options.walls);
+  if (walls != 0) arrays.add<std::uint8_t>("walls", one(walls));
+  const auto known = static_cast<std::uint8_t>(options.known.value_or(FluidCase{}));
+  if (options.known) arrays.add<std::uint8_t>("case", one(known));
+  const Outline& outline = options.outline;
+  arrays.addUnlessEmpty<double, 2>("outline", outline.points);
+  arrays.addUnlessEmpty<std::uint64_t>("outline_rings", outline.ring_offsets);
+  arrays.addUnlessEmpty<std::uint64_t>("outline_polygons", outline.polygon_offsets);
   return arrays.write(sink);
 }
 
@@ -181,6 +226,10 @@ Result<FluidSetup> readFluid(const std::string& path) {
   read.name("periodic", options.periodic);
   read.name("surface", options.surface);
   read.name("scheme", options.scheme);
+  read.single("viscosity", options.viscosity);
+  read.name("walls", options.walls);
+  options.known = caseIn(read, file);
+  options.outline = outlineIn(read, file);
   if (read.error) return tl::unexpected(std::move(*read.error));
   return setup;
 }

@@ -3,13 +3,10 @@
 #include <numeric>
 
 #include "base/block_sums.h"
+#include "motion/linear/conjugate_gradients.h"
 
 namespace vorpipe::moving {
 namespace {
-
-double dot(std::span<const double> a, std::span<const double> b, int threads) {
-  return carefulSum(a.size(), threads, [&](std::size_t i) { return a[i] * b[i]; });
-}
 
 /// Calls each(k) for the entries of a cell's neighbors, except walls and images of its own site.
 template <class Each>
@@ -131,38 +128,18 @@ std::uint64_t solvePressure(const MassChange& change, std::span<const double> in
                             std::span<const double> wanted, double least, int threads,
                             std::vector<double>& pressure, const std::function<bool()>& continues) {
   const std::size_t count = inertia.size();
-  constexpr std::uint64_t most_iterations = 10000;
   if (pressure.size() != count) pressure.assign(count, 0.0);
   const std::vector<double> diagonal = change.diagonal(inertia);
-  std::vector<double> rest(wanted.begin(), wanted.end()), scaled(count), way, answer;
+  std::vector<double> rest(wanted.begin(), wanted.end()), answer;
   std::vector<Point> pushed;
-  change.push(pressure, inertia, pushed);
-  change.apply(pushed, answer);
-  forAll(count, threads, [&](std::size_t i) { rest[i] -= answer[i]; });
-  const auto scale = [&] {
-    forAll(count, threads, [&](std::size_t i) { scaled[i] = diagonal[i] > 0 ? rest[i] / diagonal[i] : 0; });
-    return dot(rest, scaled, threads);
-  };
-  double product = scale();
-  way = scaled;
-  std::uint64_t iteration = 0;
-  for (; iteration < most_iterations && continues() && dot(rest, rest, threads) > least * least;
-       ++iteration) {
+  const auto multiply = [&](const std::vector<double>& way, std::vector<double>& image) {
     change.push(way, inertia, pushed);
-    change.apply(pushed, answer);
-    const double curvature = dot(way, answer, threads);
-    if (!(curvature > 0)) break;
-    const double length = product / curvature;
-    forAll(count, threads, [&](std::size_t i) {
-      pressure[i] += length * way[i];
-      rest[i] -= length * answer[i];
-    });
-    const double next = scale();
-    const double turn = next / product;
-    product = next;
-    forAll(count, threads, [&](std::size_t i) { way[i] = scaled[i] + turn * way[i]; });
-  }
-  return iteration;
+    change.apply(pushed, image);
+  };
+  multiply(pressure, answer);
+  forAll(count, threads, [&](std::size_t i) { rest[i] -= answer[i]; });
+  const auto scale = [&](double value, std::size_t i) { return diagonal[i] > 0 ? value / diagonal[i] : 0; };
+  return conjugateGradients(pressure, rest, least, threads, multiply, scale, continues);
 }
 
 }  // namespace vorpipe::moving

@@ -6,10 +6,15 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <string>
+#include <utility>
 #include <vector>
 
+#include "motion/flow.h"
 #include "motion/linear/mass_change.h"
+#include "motion/movable.h"
+#include "motion/viscosity.h"
 #include "vorpipe.h"
 
 namespace vorpipe {
@@ -48,10 +53,10 @@ Ran runSteps(Session& session, const FluidSetup& setup, std::uint64_t most = UIN
   return ran;
 }
 
-double velocityError(FluidCase which, const FluidSetup& setup, const FluidState& state) {
+double velocityError(const FluidSetup& setup, const FluidState& state) {
   double error = 0, whole = 0;
   for (std::size_t i = 0; i < state.sites.size(); ++i) {
-    const Point exact = *steadyVelocity(which, {state.sites.x[i], state.sites.y[i]});
+    const Point exact = exactVelocity(setup.options, {state.sites.x[i], state.sites.y[i]}, state.time);
     error += std::pow(state.velocity[i].x - exact.x, 2) + std::pow(state.velocity[i].y - exact.y, 2);
     whole += std::pow(setup.state.velocity[i].x, 2) + std::pow(setup.state.velocity[i].y, 2);
   }
@@ -81,9 +86,10 @@ TEST(Fluid, ReflectionIsOfSecondOrder) {
   const FluidSetup small = taylorGreen(256, FluidScheme::projection, 0.5);
   const FluidSetup large = taylorGreen(576, FluidScheme::projection, 0.5);
   const Ran coarse = runSteps(session, small), fine = runSteps(session, large);
-  const double error = velocityError(FluidCase::taylor_green, small, coarse.state);
-  const double less = velocityError(FluidCase::taylor_green, large, fine.state);
+  const double error = velocityError(small, coarse.state);
+  const double less = velocityError(large, fine.state);
   EXPECT_LE(error, 0.16);
+  EXPECT_NEAR(*coarse.last.velocity_error, error, 0.02 * error);
   EXPECT_GE(std::log(error / less) / std::log(1.5), 1.7);
   EXPECT_NEAR(fine.last.kinetic / fine.first.kinetic, 1, 1e-4);
 }
@@ -188,8 +194,7 @@ TEST(Fluid, HalvesStepsThatLeadSitesWhereTheyHaveNoCells) {
 
 TEST(Fluid, EndsWhereNoStepIsShortEnough) {
   Session session = test::cpuSession();
-  FluidSetup setup = fluidCase(FluidCase::taylor_green, 64);
-  setup.options.step = 0.1;
+  FluidSetup setup = taylorGreen(64, FluidScheme::springs, 0.8);
   // Not all the same way, which would leave cells as they are.
   for (std::size_t i = 0; i < setup.state.velocity.size(); ++i)
     setup.state.velocity[i] = {i % 2 == 0 ? 1e40 : -1e40, 0};
@@ -268,6 +273,7 @@ FluidSetup inUnits(FluidSetup setup, double length, double time, double mass) {
                     options.domain.ymax * length};
   options.gravity.x *= length / (time * time);
   options.gravity.y *= length / (time * time);
+  options.viscosity *= length * length / time;
   options.until *= time;
   for (double& x : state.sites.x) x *= length;
   for (double& y : state.sites.y) y *= length;
@@ -332,13 +338,14 @@ TEST(Fluid, LosesTheEnergyOfItsFallThroughAPeriod) {
 
 TEST(Fluid, TellsOfStepsThatSpringsDoNotStand) {
   Session session = test::cpuSession();
-  FluidSetup setup = fluidCase(FluidCase::taylor_green, 256);
+  FluidSetup setup = taylorGreen(256, FluidScheme::springs, 0);
   setup.options.step = 0.3;
   setup.options.until = 3;
   const Ran ran = runSteps(session, setup);
   EXPECT_TRUE(ran.has_exploded);
   ASSERT_EQ(ran.notes.size(), 2u);
-  EXPECT_THAT(ran.notes[0], HasSubstr("step: one of 0.3 is longer than springs of epsilon 0.12"));
+  EXPECT_THAT(ran.notes[0], HasSubstr("step: 0.3 is longer than the 0.25"));
+  EXPECT_THAT(ran.notes[0], HasSubstr("springs of epsilon 0.12"));
   EXPECT_THAT(ran.notes[1], HasSubstr("out of nothing: steps are too long"));
   setup.options.step = 0;
   const Ran right = runSteps(session, setup, 20);
@@ -349,7 +356,7 @@ TEST(Fluid, TellsOfStepsThatSpringsDoNotStand) {
 TEST(Fluid, TellsOfSpringsThatDoNotGoWithItsSpeeds) {
   Session session = test::cpuSession();
   const auto notesFor = [&](double epsilon, double speed) {
-    FluidSetup setup = fluidCase(FluidCase::taylor_green, 64);
+    FluidSetup setup = taylorGreen(64, FluidScheme::springs, 0);
     for (Point& v : setup.state.velocity) v = {speed * v.x, speed * v.y};
     setup.options.epsilon = epsilon;
     auto fluid = Fluid::begin(session, setup.state, setup.options);
@@ -364,7 +371,7 @@ TEST(Fluid, TellsOfSpringsThatDoNotGoWithItsSpeeds) {
 
 TEST(Fluid, TellsOnceOfSpringsThatAreTooSoft) {
   Session session = test::cpuSession();
-  FluidSetup setup = fluidCase(FluidCase::taylor_green, 64);
+  FluidSetup setup = taylorGreen(64, FluidScheme::springs, 0);
   setup.options.epsilon = 25;
   setup.options.step = 0.01;
   EXPECT_THAT(runSteps(session, setup, 2).notes, ElementsAre(HasSubstr("too soft for speeds of ")));
@@ -378,6 +385,171 @@ TEST(Fluid, TellsOfSitesBeyondWalls) {
   ASSERT_TRUE(fluid) << fluid.error().message;
   EXPECT_THAT(fluid->report().notes,
               ElementsAre(HasSubstr("1 of 64 sites lie beyond the domain, up to 32 spacings")));
+}
+
+TEST(Fluid, IsByProjectionWhereItFillsItsDomain) {
+  Session session = test::cpuSession();
+  for (const auto& [which, scheme] : {std::pair(FluidCase::shear, FluidScheme::projection),
+                                      std::pair(FluidCase::dam_break, FluidScheme::springs)}) {
+    const FluidSetup setup = fluidCase(which, 32);
+    EXPECT_EQ(setup.options.scheme, FluidScheme::automatic);
+    EXPECT_EQ(Fluid::begin(session, setup.state, setup.options)->options().scheme, scheme);
+  }
+}
+
+/// Returns how much the rate at which the kinetic energy decays differs from 2 viscosity k^2, relative to it.
+double errorOfDecay(Session& session, FluidCase which, std::uint64_t parcels, double squared_wave,
+                    double viscosity) {
+  FluidSetup setup = fluidCase(which, parcels);
+  setup.options.viscosity = viscosity;
+  const Ran ran = runSteps(session, setup);
+  EXPECT_LE(ran.worst, 1e-6);
+  EXPECT_LE(*ran.last.velocity_error, 0.06);
+  const double rate = std::log(ran.first.kinetic / ran.last.kinetic) / ran.last.time;
+  return rate / (2 * viscosity * squared_wave) - 1;
+}
+
+TEST(Fluid, SlowsDownByItsViscosityAsTheorySays) {
+  Session session = test::cpuSession();
+  constexpr double pi = std::numbers::pi;
+  for (const double viscosity : {0.02, 0.05}) {
+    EXPECT_NEAR(errorOfDecay(session, FluidCase::taylor_green, 576, 2 * pi * pi, viscosity), 0, 0.01);
+    const double error = errorOfDecay(session, FluidCase::shear_wave, 576, 4 * pi * pi, viscosity);
+    EXPECT_NEAR(error, 0, 0.01);
+    const double less = errorOfDecay(session, FluidCase::shear_wave, 1296, 4 * pi * pi, viscosity);
+    EXPECT_GE(std::log(error / less) / std::log(1.5), 1.7) << error << " and " << less;
+  }
+}
+
+TEST(Fluid, SticksToTheWallsOfAChannel) {
+  Session session = test::cpuSession();
+  const Ran coarse = runSteps(session, fluidCase(FluidCase::channel, 144));
+  const Ran fine = runSteps(session, fluidCase(FluidCase::channel, 576));
+  EXPECT_LE(*fine.last.velocity_error, 0.004);
+  EXPECT_GE(*coarse.last.velocity_error / *fine.last.velocity_error, 3);
+  // Without friction it would have fallen at the speed of 1.
+  FluidSetup slips = fluidCase(FluidCase::channel, 144);
+  slips.options.walls = FluidWalls::slip;
+  const Ran free = runSteps(session, slips);
+  EXPECT_NEAR(free.last.kinetic, 0.5, 1e-6);
+  EXPECT_FALSE(free.last.velocity_error);
+}
+
+/// The cells are far from centroidal, and the flow is a wave across the periodic square.
+TEST(Fluid, HasFrictionThatIsRightOnIrregularCells) {
+  Session session = test::cpuSession();
+  FluidOptions options{};
+  options.domain = {0, 0, 1, 1};
+  options.periodic = Periodic::xy;
+  options.viscosity = 0.01;
+  FluidState state;
+  state.sites = generate(Pattern::random, 4000, 7);
+  const std::size_t count = state.sites.size();
+  state.volume.assign(count, 1 / static_cast<double>(count));
+  for (std::size_t i = 0; i < count; ++i) {
+    state.velocity.push_back({std::sin(2 * std::numbers::pi * state.sites.y[i]), 0});
+  }
+  auto fluid = Fluid::begin(session, state, options);
+  ASSERT_TRUE(fluid);
+  moving::Parcels parcels = moving::parcelsOf(fluid->state(), options.domain);
+  MovingCells cells(session, moving::cellsOf(options));
+  ASSERT_TRUE(cells.update(parcels.sites));
+  const moving::Friction friction(cells, parcels, options, 1);
+  const auto sums = [&] {
+    Point momentum{0, 0};
+    double energy = 0;
+    for (const Point& v : parcels.velocity) {
+      momentum = {momentum.x + v.x, momentum.y + v.y};
+      energy += v.x * v.x + v.y * v.y;
+    }
+    return std::pair(momentum, energy);
+  };
+  const auto [momentum, energy] = sums();
+  const auto act = [&](double time) {
+    EXPECT_GT(friction.act(time, parcels.velocity, [] { return true; }), 0u);
+  };
+  for (int step = 0; step < 20; ++step) act(0.05);
+  const auto [after, left] = sums();
+  EXPECT_NEAR(after.x, momentum.x, 1e-7);
+  EXPECT_NEAR(after.y, momentum.y, 1e-7);
+  const double theory = 8 * std::numbers::pi * std::numbers::pi * options.viscosity;
+  EXPECT_NEAR(std::log(energy / left) / theory, 1, 0.01);
+  // Any time is as stable: what is left is the mean.
+  act(1e9);
+  for (const Point& v : parcels.velocity) {
+    EXPECT_NEAR(v.x, momentum.x / static_cast<double>(count), 1e-6);
+    EXPECT_NEAR(v.y, 0, 1e-6);
+  }
+}
+
+/// A disc with a square hole that turns.
+Outline ringShaped() {
+  Outline outline;
+  constexpr int corners = 48;
+  for (int k = 0; k < corners; ++k) {
+    const double angle = 2 * std::numbers::pi * k / corners;
+    outline.points.push_back({0.45 * std::cos(angle), 0.45 * std::sin(angle)});
+  }
+  for (const Point corner : {Point{0.1, 0.1}, {0.1, -0.1}, {-0.1, -0.1}, {-0.1, 0.1}}) {
+    outline.points.push_back(corner);
+  }
+  outline.ring_offsets = {0, corners, corners + 4};
+  outline.polygon_offsets = {0, 2};
+  return outline;
+}
+
+TEST(Fluid, StaysInItsOutline) {
+  Session session = test::cpuSession();
+  for (const auto scheme : {FluidScheme::projection, FluidScheme::springs}) {
+    for (const double viscosity : {0.0, 0.002}) {
+      auto setup = fluidCase(FluidCase::gresho, 200, ringShaped());
+      ASSERT_TRUE(setup) << setup.error().message;
+      setup->options.scheme = scheme;
+      setup->options.viscosity = viscosity;
+      const Ran ran = runSteps(session, *setup);
+      EXPECT_EQ(ran.last.time, 1);
+      EXPECT_LE(ran.worst, 1e-6);
+      EXPECT_FALSE(ran.last.velocity_error);
+      for (std::size_t i = 0; i < ran.state.sites.size(); ++i) {
+        const double x = ran.state.sites.x[i], y = ran.state.sites.y[i];
+        EXPECT_LE(std::hypot(x, y), 0.45 + 1e-9);
+        EXPECT_GE(std::max(std::abs(x), std::abs(y)), 0.1 - 1e-9);
+      }
+      EXPECT_LE(ran.last.energy(), ran.first.energy() * 1.01);
+      if (viscosity > 0) {
+        EXPECT_LE(ran.last.kinetic, 0.95 * ran.first.kinetic);
+      }
+    }
+  }
+}
+
+TEST(Fluid, RefusesOutlinesThatDoNotFit) {
+  Session session = test::cpuSession();
+  const auto message = [](FluidCase which, Outline outline) {
+    return fluidCase(which, 200, std::move(outline)).error().message;
+  };
+  EXPECT_THAT(message(FluidCase::shear, ringShaped()), HasSubstr("a case with a period has none"));
+  EXPECT_THAT(message(FluidCase::dam_break, ringShaped()), HasSubstr("a case with a free surface has none"));
+  EXPECT_THAT(message(FluidCase::taylor_green, ringShaped()),
+              HasSubstr("reaches beyond the domain of the case, 0,0,1,1"));
+  FluidSetup setup = *fluidCase(FluidCase::gresho, 100, ringShaped());
+  setup.state.sites.x[3] = setup.state.sites.y[3] = 0.01;
+  EXPECT_THAT(Fluid::begin(session, setup.state, setup.options).error().message, HasSubstr("sites: 1 of "));
+}
+
+TEST(Fluid, RefusesFrictionThatIsNone) {
+  Session session = test::cpuSession();
+  const auto message = [&](FluidCase which, double viscosity, FluidWalls walls) {
+    FluidSetup setup = fluidCase(which, 32);
+    setup.options.viscosity = viscosity;
+    setup.options.walls = walls;
+    return Fluid::begin(session, setup.state, setup.options).error().message;
+  };
+  EXPECT_EQ(message(FluidCase::gresho, -1, FluidWalls::slip), "viscosity: it is not from 0 to 1e+50");
+  EXPECT_EQ(message(FluidCase::gresho, 0, FluidWalls::no_slip),
+            "walls: without viscosity a fluid does not stick to them");
+  EXPECT_EQ(message(FluidCase::dam_break, 1, FluidWalls::no_slip),
+            "walls: a fluid with a free surface slides along them");
 }
 
 TEST(Fluid, NamesSitesAtOnePlace) {
