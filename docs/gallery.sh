@@ -96,6 +96,25 @@ awk 'BEGIN { for (i = 0; i < 300; i++) print i % 25 ? 1 + i % 5 : 40 }' >"$made/
 transport bubbles --sites "$made/middles.csv" --domain 0,0,1,1 --periodic xy --masses "$made/bubbles.txt" --normalize \
   --color-scale log --edge-width 2
 
+# flow CASE EVERY OPTION...: flow-CASE.png, the end of a fluid; pictures every EVERY steps are in $made/CASE
+flow() {
+  local case=$1 every=$2
+  shift 2
+  "$program" fluid --backend cpu --case "$case" --frames "$made/$case" --every "$every" "$@"
+  cp "$(ls "$made/$case"/*.png | tail -n 1)" "$into/flow-$case.png"
+}
+flow taylor-green 100 --particles 1024 --flow-color speed --size 200
+flow gresho 100 --particles 1600 --time 0.5 --flow-color speed --size 200
+flow shear 100 --particles 1600 --time 0.4 --flow-color speed --size 200
+flow shear-wave 100 --particles 1024 --flow-color speed --size 200
+flow channel 100 --particles 576 --flow-color speed --size 200
+flow dam-break 1000 --particles 1024 --time 0.5 --flow-color speed --size 400
+flow rayleigh-taylor 2 --antialias 2 --size 200x400
+# Without Pillow the film that is there stays.
+if python3 -c 'import PIL' 2>/dev/null; then
+  python3 "$root/docs/examples/film.py" "$made/rayleigh-taylor" "$into/mushroom.gif"
+fi
+
 draw masts --sites "$root/docs/examples/masts.csv" --color weight --edges --show-sites --antialias 4 --size 800
 
 alike airports --sites "$root/tests/data/navaids.csv" --domain -180,-90,180,90 --color area --legend --antialias 2 \

@@ -77,6 +77,22 @@ static void steps_of_a_vortex(vorpipe_session* session) {
   vorpipe_fluid_free(again);
   vorpipe_fluid_free(fluid);
   vorpipe_fluid_free(NULL);
+  memset(&options, 0, sizeof options);
+  options.struct_size = sizeof options;
+  options.viscosity = 0.05;
+  DONE(vorpipe_fluid_read(session, "taylor-green", 256, &options, &fluid));
+  DONE(vorpipe_fluid_last(fluid, &figures));
+  start = figures.kinetic;
+  run.until = 0.2;
+  DONE(vorpipe_fluid_run(fluid, &run));
+  DONE(vorpipe_fluid_last(fluid, &figures));
+  /* The energy of a vortex decays by exp(-4 pi^2 viscosity time). */
+  PROMISE(fabs(log(start / figures.kinetic) / 0.39478 - 1) < 0.02);
+  PROMISE(figures.velocity_error > 0 && figures.velocity_error < 0.1);
+  vorpipe_fluid_free(fluid);
+  options.viscosity = 0;
+  options.walls = VORPIPE_WALLS_NO_SLIP;
+  REFUSED(VORPIPE_INPUT, "walls", vorpipe_fluid_read(session, "taylor-green", 256, &options, &fluid));
   DONE(vorpipe_fluid_read(session, "shear", 64, NULL, &fluid));
   run.has_until = 0;
   run.watch = until_three;

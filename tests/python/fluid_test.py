@@ -7,6 +7,7 @@ import threading
 
 import numpy as np
 import pytest
+import shapely.geometry
 
 import vorpipe
 
@@ -28,6 +29,48 @@ def test_a_vortex_keeps_its_energy_and_its_areas():
     assert fluid.pressures.shape == fluid.weights.shape == (100, ) and fluid.points.shape == (100, 2)
     assert np.allclose(fluid.cells().areas, 0.01, rtol=1e-6) and np.array_equal(fluid.volumes, np.full(100, 0.01))
     assert (fluid.render(size=(20, 20)).ids != vorpipe.NO_SITE).all()
+
+
+def test_viscosity_takes_energy_as_theory_says():
+    wave = vorpipe.Fluid('shear-wave', parcels=576, viscosity=0.02)
+    assert wave.scheme == 'projection' and wave.viscosity == 0.02 and wave.walls == 'slip'
+    first, last = wave.last, wave.run(until=1)
+    assert np.log(first.kinetic / last.kinetic) == pytest.approx(8 * np.pi**2 * 0.02, rel=0.01)
+    exact = np.sin(2 * np.pi * wave.points[:, 1]) * np.exp(-4 * np.pi**2 * 0.02)
+    error = np.sqrt(np.sum((wave.velocities[:, 0] - exact)**2 + wave.velocities[:, 1]**2) / np.sum(exact**2))
+    assert last.velocity_error == pytest.approx(error, rel=1e-6) and error < 0.01
+    channel = vorpipe.Fluid('channel', parcels=144)
+    assert channel.walls == 'no-slip' and channel.run().velocity_error < 0.02
+    wave.push(np.zeros((len(wave), 2)))
+    assert wave.run(steps=1).velocity_error is None
+
+
+def test_walls_are_outlines(tmp_path):
+    ring = np.array([(0, 0), (2, 0), (2, 1), (0, 1)])
+    hole = np.array([(0.8, 0.4), (0.8, 0.6), (1.2, 0.5)])
+    inside = shapely.geometry.Polygon(ring, [hole])
+    points = vorpipe.generate('jitter', 300, domain=(0, 0, 2, 1))
+    points = points[[inside.buffer(-0.02).contains(shapely.geometry.Point(point)) for point in points]]
+    fluid = vorpipe.Fluid(points, outline=inside, densities=np.where(points[:, 0] > 1, 2.0, 1.0), gravity=(-1, 0),
+                          viscosity=0.001)
+    assert fluid.domain == (0, 0, 2, 1) and len(fluid.outline) == 1 and len(fluid.outline[0]) == 2
+    worst = []
+    fluid.run(until=0.5, callback=lambda step: worst.append(step.worst))
+    assert len(worst) > 5 and max(worst) <= 1e-6 and fluid.last.velocity_error is None
+    cells = fluid.cells()
+    assert np.allclose(cells.areas, inside.area / len(points), rtol=1e-5)
+    assert max(inside.distance(shapely.geometry.Point(point)) for point in fluid.points) < 1e-9
+    assert np.mean(fluid.render(size=(200, 100)).ids == vorpipe.NO_SITE) == pytest.approx(1 - inside.area / 2, abs=0.01)
+    fluid.save(tmp_path / 'part.npz')
+    again = vorpipe.Fluid(tmp_path / 'part.npz')
+    assert again.viscosity == 0.001 and np.array_equal(again.outline[0][1], fluid.outline[0][1])
+    fluid.run(steps=3)
+    again.run(steps=3)
+    assert np.array_equal(fluid.points, again.points)
+    with pytest.raises(vorpipe.InputError, match='sites: 1 of'):
+        vorpipe.Fluid(np.vstack((points, (1, 0.5))), outline=inside)
+    with pytest.raises(vorpipe.InputError, match='^outline: shear has its own'):
+        vorpipe.Fluid('shear', outline=inside)
 
 
 def test_arrays_are_views_that_later_steps_leave_alone():
@@ -111,6 +154,8 @@ def test_wrong_arguments_are_refused_by_name():
                              ('scheme', {'scheme': 'sph'}), ('gravity', {'gravity': 9.81}), ('step', {'step': -1}),
                              ('epsilon', {'epsilon': np.nan}), ('until', {'until': np.nan}),
                              ('tolerance', {'tolerance': 0}), ('volume', {'surface': 'free'}),
+                             ('viscosity', {'viscosity': -1}), ('walls', {'walls': 'glue'}),
+                             ('walls', {'walls': 'no-slip'}), ('outline', {'outline': [(0, 0), (1, 1)]}),
                              ('domain', {'domain': 'hull'}), ('parcels', {'parcels': 10}),
                              ('scheme', {'surface': 'free', 'scheme': 'projection'})):
         with pytest.raises(vorpipe.InputError, match=f'^{words}'):
@@ -143,7 +188,7 @@ def test_it_begins_with_files_as_numpy_writes_them(tmp_path):
     assert np.array_equal(fluids[0].points, fluids[1].points)
     np.savez(tmp_path / 'single.npz', **{**plain, 'sites': points.astype('f4')})
     assert np.allclose(vorpipe.Fluid(tmp_path / 'single.npz').points, points, rtol=1e-6)
-    for more, words in (({'velocities': velocity}, 'did you mean velocity'), ({'viscosity': 0.1}, 'known are sites'),
+    for more, words in (({'velocities': velocity}, 'did you mean velocity'), ({'heat': 0.1}, 'known are sites'),
                         ({'periodic': 'z'}, 'not one of none, x, y, xy'), ({'step': 1.5}, 'no number of type'),
                         ({'order': np.full(30, -1)}, 'no number of type'), ({'volume': ['a'] * 30}, 'not numbers')):
         np.savez(tmp_path / 'wrong.npz', **{**plain, **more})
@@ -153,8 +198,8 @@ def test_it_begins_with_files_as_numpy_writes_them(tmp_path):
 
 def test_its_report_says_what_should_be_known():
     assert vorpipe.Fluid('taylor-green', parcels=64).report.notes == []
-    fluid = vorpipe.Fluid('taylor-green', parcels=64, step=1)
-    assert 'is longer than springs of epsilon' in fluid.report.notes[0]
+    fluid = vorpipe.Fluid('taylor-green', parcels=64, step=1, scheme='springs')
+    assert 'up to which springs of epsilon' in fluid.report.notes[0]
     points = vorpipe.generate('jitter', 10)
     points[3] = points[4]
     with pytest.raises(vorpipe.InputError, match='sites 3 and 4'):

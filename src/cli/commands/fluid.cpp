@@ -37,8 +37,8 @@ struct FluidCommand : RunOptions {
 /// Newton's steps and the levels of its solver. With projection also how areas change with velocities, and
 /// discs.
 std::uint64_t bytesOf(const FluidOptions& options) {
-  constexpr std::uint64_t of_springs = 920, of_projection = 1300, of_surface = 1850, of_friction = 250,
-                          of_polygons = 1700;
+  constexpr std::uint64_t of_springs = 920, of_projection = 1300, of_surface = 1850, of_friction = 100,
+                          of_polygons = 1300;
   const std::uint64_t friction = options.viscosity != 0 ? of_friction : 0;
   if (options.surface == Surface::free) return of_surface + friction;
   if (options.periodic != Periodic::none || !options.outline.empty()) return of_polygons + friction;
