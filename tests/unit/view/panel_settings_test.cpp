@@ -195,8 +195,8 @@ TEST_F(PanelTest, AFluidIsBegunAndChanged) {
   EXPECT_EQ(click("Run").actions, std::vector{Action::run});
   EXPECT_EQ(click("Step").actions, std::vector{Action::step});
   EXPECT_EQ(click("Begin again").actions, std::vector{Action::begin_again});
-  EXPECT_EQ(click("Scheme/projection").flows_by->scheme, FluidScheme::projection);
-  EXPECT_FALSE(click("Scheme/springs").flows_by);
+  EXPECT_EQ(click("Scheme/springs").flows_by->scheme, FluidScheme::springs);
+  EXPECT_FALSE(click("Scheme/projection").flows_by) << "it is so by default";
   EXPECT_NEAR(click("Gravity").flows_by->gravity.y, 0, 0.5);
   click("Brush");
   EXPECT_NEAR(input_.settings.brush.radius, 0.25, 0.03);
