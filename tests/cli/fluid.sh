@@ -67,7 +67,7 @@ import shapely.ops
 import shapely.wkt
 from shapely.geometry import Point
 channel = shapely.wkt.loads(open('in/channel.wkt').read())
-cells = geopandas.read_file(sys.argv[1]).geometry.set_crs(None, allow_override=True)
+cells = geopandas.read_file(sys.argv[1]).geometry.set_crs('EPSG:3857', allow_override=True)
 assert cells.is_valid.all()
 assert shapely.ops.unary_union(list(cells)).symmetric_difference(channel).area < 1e-9
 equal = channel.area / len(cells)
@@ -123,7 +123,7 @@ refused '--case: "river" is not ' fluid --case river -o out/a.csv
 refused '-o: name what to write' fluid --case gresho
 refused '--scheme: projection is for domains that are full; springs have free surfaces' \
   fluid --backend cpu --case dam-break --particles 32 --scheme projection -o out/a.csv
-refused '--viscosity: -1 is less than 0' $vortex --viscosity -1 -o out/a.csv
+refused '--viscosity: -1 is not a number of 0 or more' $vortex --viscosity -1 -o out/a.csv
 refused '--walls: "glue" is not slip or no-slip' $vortex --walls glue -o out/a.csv
 refused '--walls: without viscosity a fluid does not stick to them' $vortex --walls no-slip -o out/a.csv
 refused '--domain: outline: it reaches beyond the domain of the case, 0,0,1,1' $vortex --domain in/ring.geojson -o out/a.csv
