@@ -35,8 +35,7 @@ class Fluid:
         volumes: (N,), the areas of the cells; None for equal shares of the domain. A free surface asks for them.
         densities: (N,), mass per volume; None: 1.
         weights: (N,), where to begin to look for those that give cells their areas.
-        domain, periodic: as in `cells`, without "hull".
-        repair: as in `cells`, of a domain that is an outline: walls of any shape, with holes as obstacles.
+        domain, periodic, repair: as in `cells`; an outline is walls of any shape, with holes as obstacles.
         surface: "free" where air is around the cells.
         parcels: about how many cells a case has; None: 2048.
         gravity: (x, y); None: none.
