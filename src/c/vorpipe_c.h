@@ -747,7 +747,7 @@ VORPIPE_API vorpipe_code vorpipe_transported_save(const vorpipe_transported* tra
 /* How velocities come to be those of a fluid that cannot be compressed. */
 typedef int32_t vorpipe_fluid_scheme;
 enum {
-  VORPIPE_FLUID_USUAL = 0,     /* as a case or a file has it, else springs with a free surface, and projection */
+  VORPIPE_FLUID_USUAL = 0, /* as a case or a file has it, else springs with a free surface, and projection */
   VORPIPE_FLUID_SPRINGS = 1,   /* springs pull each site to the centroid of its cell */
   VORPIPE_FLUID_PROJECTION = 2 /* velocities change no area, by a pressure; for domains that are full */
 };
@@ -794,7 +794,7 @@ typedef struct vorpipe_fluid_figures {
   double worst;    /* largest |area - volume| / volume */
   double farthest; /* largest distance of a site to its centroid, in spacings */
   uint64_t diagrams, linear_iterations;
-  double seconds; /* since it began */
+  double seconds;        /* since it began */
   double velocity_error; /* of the velocities, relative to the exact ones; NaN where those are not known */
 } vorpipe_fluid_figures;
 

@@ -87,7 +87,8 @@ void addFluidChoices(Options& options, FluidChoices& choices) {
                  "an outline as walls, with holes as obstacles: polygons; a named case begins inside of it");
   options.addText("--domain-layer", choices.domain_layer, "NAME", "the layer of a --domain in GeoPackage")
       .needs(domain);
-  options.addFlag("--repair", choices.repair, "mends polygons of --domain that cross themselves").needs(domain);
+  options.addFlag("--repair", choices.repair, "mends polygons of --domain that cross themselves")
+      .needs(domain);
   addParsed(options, "--steps", choices.steps, "N", "ends after so many steps of this run",
             [](std::string_view text) { return parseWhole(text, 0, UINT32_MAX); });
   addParsed(options, "--seconds", choices.seconds, "S", "ends after so much time of the clock",
