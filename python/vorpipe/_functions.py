@@ -94,13 +94,15 @@ def render(points: Any, weights: Any = None, domain: Any = None, size: Optional[
            dot_size: Optional[float] = None, fit: Optional[str] = None, project: Project = None, margin: Margin = None,
            repair: bool = False, crs: Any = None, antialias: int = 1, dual: bool = False,
            labels: bool = False, label_size: float = 10, fill: bool = True,
+           edge_color: Optional[str] = None, background: Optional[str] = None,
            view: Optional[Sequence[float]] = None, surface: Optional[str] = None) -> Picture:
     """A picture of the cells, and whose cell each pixel is in.
 
     Args:
         size: (width, height) in pixels, up to 32768 each; else the longer side 1000, in the domain's shape.
-        color: by "site", "area", "neighbors" or "weight".
-        colormap: one of `colormaps()`, for the last three.
+        color: by "site", "area", "neighbors" or "weight"; or the path of a photograph, .png or .jpg, over the domain or
+            where a world file beside it says: cells have the mean color of its pixels.
+        colormap: one of `colormaps()`, where colors are not a photograph's.
         edges: darkens pixels beside which another cell begins.
         show_sites: a dot at each site.
         color_scale: how values become colors: "linear", "log" or "quantile", by rank; None for quantile by area and
@@ -117,7 +119,9 @@ def render(points: Any, weights: Any = None, domain: Any = None, size: Optional[
             does not meet beyond; a larger `margin` has more of it, `Diagram.triangles` all.
         labels: the index of each point, in its cell where it has room.
         label_size: how high the digits are, 5 to 200 pixels.
-        fill: cells have colors; else they are white.
+        fill: cells have colors; else they are white, or show the background.
+        edge_color: of `edges`: "#rgb", "#rrggbb" or a name of CSS, as "white"; None for "#181818".
+        background: the color of what is no cell, as "#rrggbbaa" with an opacity; None for transparent.
         view: (xmin, ymin, xmax, ymax), what the picture shows; None for the domain. It changes no color.
 
     With `project`, the picture is of the plane. All others are as in `cells`; "auto" takes "cpu" for up to 100,000
@@ -131,7 +135,8 @@ def render(points: Any, weights: Any = None, domain: Any = None, size: Optional[
                           progress=progress, color_scale=color_scale, color_range=color_range, legend=legend,
                           edge_width=edge_width, dot_size=dot_size, fit=fit, project=project, margin=margin,
                           repair=repair, crs=crs, antialias=antialias, dual=dual, labels=labels,
-                          label_size=label_size, fill=fill, view=view, surface=surface)
+                          label_size=label_size, fill=fill, edge_color=edge_color, background=background, view=view,
+                          surface=surface)
 
 
 def draw(points: Any, path: PathLike, weights: Any = None, domain: Any = None, size: Optional[Sequence[int]] = None,
@@ -143,6 +148,7 @@ def draw(points: Any, path: PathLike, weights: Any = None, domain: Any = None, s
          dot_size: Optional[float] = None, fit: Optional[str] = None, project: Project = None, margin: Margin = None,
          repair: bool = False, crs: Any = None, antialias: int = 1, dual: bool = False,
          labels: bool = False, label_size: float = 10, fill: bool = True,
+         edge_color: Optional[str] = None, background: Optional[str] = None,
          view: Optional[Sequence[float]] = None, surface: Optional[str] = None) -> Diagram:
     """Draws the cells as shapes, into a file: .svg or .pdf. Returns the cells, with detail="polygons".
 
@@ -155,7 +161,8 @@ def draw(points: Any, path: PathLike, weights: Any = None, domain: Any = None, s
                         progress=progress, color_scale=color_scale, color_range=color_range, legend=legend,
                         edge_width=edge_width, dot_size=dot_size, fit=fit, project=project, margin=margin,
                         repair=repair, crs=crs, antialias=antialias, dual=dual, labels=labels,
-                        label_size=label_size, fill=fill, view=view, surface=surface)
+                        label_size=label_size, fill=fill, edge_color=edge_color, background=background, view=view,
+                        surface=surface)
 
 
 def relax(points: Any, weights: Any = None, domain: Any = None, periodic: Union[None, bool, str] = None,

@@ -108,10 +108,12 @@ class Session:
                dot_size: Optional[float] = None, fit: Optional[str] = None, project: Project = None,
                margin: Margin = None, repair: bool = False, crs: Any = None, antialias: int = 1, dual: bool = False,
                labels: bool = False, label_size: float = 10, fill: bool = True,
+               edge_color: Optional[str] = None, background: Optional[str] = None,
                view: Optional[Sequence[float]] = None, surface: Optional[str] = None) -> Picture:
         """As `vorpipe.render`."""
         look = _arguments.look_of(size, color, colormap=colormap, color_scale=color_scale, color_range=color_range,
-                                  legend=legend, fit=fit, search=search, fill=fill, view=view, edges=edges,
+                                  legend=legend, fit=fit, search=search, fill=fill, edge_color=edge_color,
+                                  background=background, view=view, edges=edges,
                                   show_sites=show_sites, dual=dual, labels=labels, edge_width=edge_width,
                                   dot_size=dot_size, label_size=label_size, antialias=antialias)
         wanted = _arguments.domain_of(domain, outline, margin, repair, project)
@@ -129,10 +131,12 @@ class Session:
              edge_width: float = 1, dot_size: Optional[float] = None, fit: Optional[str] = None,
              project: Project = None, margin: Margin = None, repair: bool = False, crs: Any = None,
              antialias: int = 1, dual: bool = False, labels: bool = False, label_size: float = 10,
-             fill: bool = True, view: Optional[Sequence[float]] = None, surface: Optional[str] = None) -> Diagram:
+             fill: bool = True, edge_color: Optional[str] = None, background: Optional[str] = None,
+             view: Optional[Sequence[float]] = None, surface: Optional[str] = None) -> Diagram:
         """As `vorpipe.draw`."""
         look = _arguments.look_of(size, color, colormap=colormap, color_scale=color_scale, color_range=color_range,
-                                  legend=legend, fit=fit, search=search, fill=fill, view=view, edges=edges,
+                                  legend=legend, fit=fit, search=search, fill=fill, edge_color=edge_color,
+                                  background=background, view=view, edges=edges,
                                   show_sites=show_sites, dual=dual, labels=labels, edge_width=edge_width,
                                   dot_size=dot_size, label_size=label_size, antialias=antialias)
         wanted = _arguments.domain_of(domain, outline, margin, repair, project)
