@@ -77,6 +77,11 @@ python3 "$root/docs/examples/spheres.py" "$spheres"
 "$program" relax --backend cpu --sites density:20000 --density "$spheres" --equal-masses --iterations 100 \
   --picture "$into/stipple.png" --no-fill --show-sites --dot-size 3 --antialias 4 --size 800
 
+python3 "$root/docs/examples/evening.py" "$(dirname "$spheres")/evening.png"
+"$program" relax --backend cpu --sites random:1000 --domain 0,0,480,320 --iterations 10 \
+  --color "$(dirname "$spheres")/evening.png" --edges --edge-color "#181420" --edge-width 2.5 --antialias 4 --size 960 \
+  --picture "$into/glass.png"
+
 # transport NAME OPTION...: NAME.png of cells with prescribed masses
 transport() {
   local name=$1

@@ -9,6 +9,7 @@
 
 #include "vorpipe/cell.h"
 #include "vorpipe/cells.h"
+#include "vorpipe/color.h"
 #include "vorpipe/devices.h"
 #include "vorpipe/forecast.h"
 #include "vorpipe/kept_sites.h"
@@ -17,6 +18,7 @@
 #include "vorpipe/maps.h"
 #include "vorpipe/moving.h"
 #include "vorpipe/outline.h"
+#include "vorpipe/photograph.h"
 #include "vorpipe/picture.h"
 #include "vorpipe/projection.h"
 #include "vorpipe/relax.h"

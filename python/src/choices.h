@@ -5,6 +5,7 @@
 #include <pybind11/pybind11.h>
 #include <pybind11/stl.h>
 
+#include <optional>
 #include <string>
 #include <string_view>
 #include <type_traits>
@@ -24,6 +25,13 @@ Value chosen(std::string_view argument, const std::string& name, Value first = V
   raiseInput(argument, fmt::format("'{}' is none of {}", name, fmt::join(namesFrom(first), ", ")));
 }
 
+/// The color that a text says; throws an InputError about the argument.
+inline Color colorOf(std::string_view argument, const std::string& text) {
+  auto color = readColor(text);
+  if (!color) raiseInput(argument, color.error().message);
+  return *color;
+}
+
 /// Replaces the options of these rows that `given` names.
 template <class Rows, class Struct>
 void takeOptions(const Rows& rows, const py::dict& given, Struct& options) {
@@ -37,6 +45,8 @@ void takeOptions(const Rows& rows, const py::dict& given, Struct& options) {
     } else if constexpr (std::is_same_v<Value, Point>) {
       const auto [x, y] = value.cast<std::pair<double, double>>();
       option = {x, y};
+    } else if constexpr (std::is_same_v<Value, std::optional<Color>>) {
+      if (!value.is_none()) option = colorOf(row.name, value.cast<std::string>());
     } else {
       option = value.cast<Value>();
     }
@@ -53,6 +63,8 @@ py::dict usualOptions(const Rows& rows) {
       usual[row.name] = nameOf(value);
     } else if constexpr (std::is_same_v<std::decay_t<decltype(value)>, Point>) {
       usual[row.name] = std::pair(value.x, value.y);
+    } else if constexpr (std::is_same_v<std::decay_t<decltype(value)>, std::optional<Color>>) {
+      usual[row.name] = py::none();
     } else {
       usual[row.name] = value;
     }

@@ -7,6 +7,7 @@
 #include <string>
 #include <utility>
 
+#include "base/try.h"
 #include "choices.h"
 #include "results.h"
 
@@ -20,6 +21,12 @@ struct Colors {
   bool legend, fill;
 };
 
+PhotographFile photographIn(const std::string& path) {
+  auto read = readPhotograph(path);
+  if (!read && read.error().code == ErrorCode::input) raiseInput("color", read.error().message);
+  return valueOf(std::move(read));
+}
+
 /// Width and height, or the longer side alone.
 using SizeArguments = std::pair<int, std::optional<int>>;
 
@@ -31,7 +38,12 @@ Look lookOf(const std::optional<SizeArguments>& size, const std::optional<std::s
   if (size && !size->second) look.longer_side = size->first;
   RenderOptions& options = look.options;
   if (fit) look.fit = chosen<Fit>("fit", *fit);
-  options.color = chosen<ColorBy>("color", colors.by);
+  if (isPhotograph(colors.by)) {
+    look.color_file = colors.by;
+    look.photograph = photographIn(colors.by);
+  } else {
+    options.color = chosen<ColorBy>("color", colors.by);
+  }
   options.colormap = colors.map;
   if (colors.scale) options.color_scale = chosen("color_scale", *colors.scale, ColorScale::linear);
   if (colors.range) options.color_range = ColorRange{colors.range->first, colors.range->second};
@@ -57,6 +69,19 @@ RenderOptions renderOptionsOf(const Look& look, const Input& input) {
   options.height = size.height;
   options.fit = look.fit.value_or(usualFit(input));
   return options;
+}
+
+Result<void> takeColors(const Look& look, const Input& input, int threads, RenderOptions& options) {
+  if (look.color_file.empty()) return {};
+  PlacedSites placed;
+  placed.domain = input.domain;
+  placed.system = input.system;
+  placed.projection = input.projection;
+  VORPIPE_TRY(placePhotograph(look.photograph, look.color_file, placed, {}, "color", "color"));
+  VORPIPE_VAR(colors, photographColors(input.sites, look.photograph.photograph,
+                                       vorpipe::cellsOptions(options), threads));
+  options.site_colors = std::move(colors);
+  return {};
 }
 
 void defineLook(py::module_& module) {

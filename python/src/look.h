@@ -2,8 +2,10 @@
 #pragma once
 
 #include <optional>
+#include <string>
 
 #include "input.h"
+#include "io/sites/photograph_file.h"
 #include "vorpipe.h"
 
 namespace vorpipe::python {
@@ -13,9 +15,15 @@ struct Look {
   int longer_side;                  ///< 0: the usual one
   std::optional<Fit> fit;           ///< none: the usual one of sites that were read; arrays fill pictures
   RenderOptions options{};          ///< but what follows from the input
+  std::string color_file{};         ///< of the photograph; empty: none
+  PhotographFile photograph{};
 };
 
 /// The options of a picture of the input.
 RenderOptions renderOptionsOf(const Look& look, const Input& input);
+
+/// Gives the picture the colors of a photograph, if there is one. Errors: its place is wrong for the input;
+/// those of photographColors.
+Result<void> takeColors(const Look& look, const Input& input, int threads, RenderOptions& options);
 
 }  // namespace vorpipe::python

@@ -42,6 +42,18 @@ struct Members<Box> {
 static_assert(has_all_members<Box>());
 
 template <>
+struct Members<Color> {
+  static constexpr auto all = named(member("rgba", &Color::rgba));
+};
+static_assert(has_all_members<Color>());
+
+template <>
+struct Members<PaperSize> {
+  static constexpr auto all = named(member("width", &PaperSize::width), member("height", &PaperSize::height));
+};
+static_assert(has_all_members<PaperSize>());
+
+template <>
 struct Members<Sites> {
   static constexpr auto all =
       named(member("x", &Sites::x), member("y", &Sites::y), member("weight", &Sites::weight));
@@ -266,7 +278,8 @@ struct Members<RenderOptions> {
             member("search", &RenderOptions::search), member("color_scale", &RenderOptions::color_scale),
             member("color_range", &RenderOptions::color_range), member("legend", &RenderOptions::legend),
             member("fit", &RenderOptions::fit), member("view", &RenderOptions::view),
-            member("fill", &RenderOptions::fill)),
+            member("fill", &RenderOptions::fill), member("site_colors", &RenderOptions::site_colors),
+            member("paper", &RenderOptions::paper)),
       membersOf(picture_rows));
 };
 static_assert(has_all_members<RenderOptions>(4));  // the progress is the run's, the others are the input's

@@ -89,7 +89,8 @@ void defineKey(py::module_& module) {
 void saveShapes(const CellsResult& cells, const Look& look, const std::string& path, int threads) {
   const PictureFormat& format = shapesFormatOf(path);
   const Input& input = *cells.input;
-  const RenderOptions options = renderOptionsOf(look, input);
+  RenderOptions options = renderOptionsOf(look, input);
+  valueOf(takeColors(look, input, threads, options));
   const PictureOutput output{input.sites, options, nullptr, &cells.diagram, input.system, threads};
   saveFile(path, input.files, [&](ByteSink& sink) { return format.write(sink, output); });
 }

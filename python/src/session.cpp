@@ -97,9 +97,10 @@ std::shared_ptr<PictureResult> SharedSession::render(const std::shared_ptr<const
                                                      const Look& look, const py::object& progress) {
   return use<std::shared_ptr<PictureResult>>(
       progress,
-      [input, options = renderOptionsOf(look, *input)](
+      [input, &look, options = renderOptionsOf(look, *input)](
           Session& session, const Progress& heard) mutable -> Result<std::shared_ptr<PictureResult>> {
         options.progress = heard;
+        VORPIPE_TRY(takeColors(look, *input, session.threads(), options));
         VORPIPE_VAR(rendering, session.render(input->sites, options));
         if (input->surface == Surface::free) {
           auto taken = takeOutAir(input->sites, options, rendering.image, session.threads());

@@ -156,11 +156,13 @@ def range_of(value: Optional[Sequence[float]]) -> Optional[Tuple[float, float]]:
 
 
 def options_of(usual: Mapping[str, Any], given: Mapping[str, Any]) -> Dict[str, Any]:
-    """Options, each of the type of its default."""
+    """Options, each of the type of its default; None is that of a text that need not be there."""
     options: Dict[str, Any] = {}
     for name, value in given.items():
         default = usual[name]
-        if isinstance(default, bool):
+        if default is None:
+            options[name] = text_or_none(name, value)
+        elif isinstance(default, bool):
             options[name] = flag_of(name, value)
         elif isinstance(default, str):
             options[name] = text_of(name, value)

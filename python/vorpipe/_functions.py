@@ -94,14 +94,16 @@ def render(points: Any, weights: Any = None, domain: Any = None, size: Size = No
            dot_size: Optional[float] = None, fit: Optional[str] = None, project: Project = None, margin: Margin = None,
            domain_layer: Optional[str] = None, repair: bool = False, crs: Any = None, antialias: int = 1,
            dual: bool = False, labels: bool = False, label_size: float = 10, fill: bool = True,
+           edge_color: Optional[str] = None, background: Optional[str] = None,
            view: Optional[Sequence[float]] = None, surface: Optional[str] = None) -> Picture:
     """A picture of the cells, and whose cell each pixel is in.
 
     Args:
         size: (width, height) in pixels, up to 32768 each, or the longer side, in the shape of the domain or the view;
             None for 1000.
-        color: by "site", "area", "neighbors" or "weight".
-        colormap: one of `colormaps()`, for the last three.
+        color: by "site", "area", "neighbors" or "weight"; or the path of a photograph, .png or .jpg, over the domain or
+            where a world file beside it says: cells have the mean color of its pixels.
+        colormap: one of `colormaps()`, where colors are not a photograph's.
         edges: darkens pixels beside which another cell begins.
         show_sites: a dot at each site.
         color_scale: how values become colors: "linear", "log" or "quantile", by rank; None for quantile by area and
@@ -118,7 +120,9 @@ def render(points: Any, weights: Any = None, domain: Any = None, size: Size = No
             does not meet beyond; a larger `margin` has more of it, `Diagram.triangles` all.
         labels: the index of each point, in its cell where it has room.
         label_size: how high the digits are, 5 to 200 pixels.
-        fill: cells have colors; else they are white.
+        fill: cells have colors; else they are white, or show the background.
+        edge_color: of `edges`: "#rgb", "#rrggbb" or a name of CSS, as "white"; None for "#181818".
+        background: the color of what is no cell, as "#rrggbbaa" with an opacity; None for transparent.
         view: (xmin, ymin, xmax, ymax), what the picture shows; None for the domain. It changes no color.
 
     With `project`, the picture is of the plane. All others are as in `cells`; "auto" takes "cpu" for up to 100,000
@@ -132,7 +136,7 @@ def render(points: Any, weights: Any = None, domain: Any = None, size: Size = No
                           color_scale=color_scale, color_range=color_range, legend=legend, edge_width=edge_width,
                           dot_size=dot_size, fit=fit, project=project, margin=margin, domain_layer=domain_layer,
                           repair=repair, crs=crs, antialias=antialias, dual=dual, labels=labels, label_size=label_size,
-                          fill=fill, view=view, surface=surface)
+                          fill=fill, edge_color=edge_color, background=background, view=view, surface=surface)
 
 
 @renamed(outline='domain')
@@ -144,6 +148,7 @@ def draw(points: Any, path: PathLike, weights: Any = None, domain: Any = None, s
          edge_width: float = 1, dot_size: Optional[float] = None, fit: Optional[str] = None, project: Project = None,
          margin: Margin = None, domain_layer: Optional[str] = None, repair: bool = False, crs: Any = None,
          antialias: int = 1, dual: bool = False, labels: bool = False, label_size: float = 10, fill: bool = True,
+         edge_color: Optional[str] = None, background: Optional[str] = None,
          view: Optional[Sequence[float]] = None, surface: Optional[str] = None) -> Diagram:
     """Draws the cells as shapes, into a file: .svg or .pdf. Returns the cells, with detail="polygons".
 
@@ -156,7 +161,7 @@ def draw(points: Any, path: PathLike, weights: Any = None, domain: Any = None, s
                         color_scale=color_scale, color_range=color_range, legend=legend, edge_width=edge_width,
                         dot_size=dot_size, fit=fit, project=project, margin=margin, domain_layer=domain_layer,
                         repair=repair, crs=crs, antialias=antialias, dual=dual, labels=labels, label_size=label_size,
-                        fill=fill, view=view, surface=surface)
+                        fill=fill, edge_color=edge_color, background=background, view=view, surface=surface)
 
 
 @renamed(outline='domain')

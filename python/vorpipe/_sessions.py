@@ -111,10 +111,12 @@ class Session:
                dot_size: Optional[float] = None, fit: Optional[str] = None, project: Project = None,
                margin: Margin = None, domain_layer: Optional[str] = None, repair: bool = False, crs: Any = None,
                antialias: int = 1, dual: bool = False, labels: bool = False, label_size: float = 10, fill: bool = True,
+               edge_color: Optional[str] = None, background: Optional[str] = None,
                view: Optional[Sequence[float]] = None, surface: Optional[str] = None) -> Picture:
         """As `vorpipe.render`."""
         look = _arguments.look_of(size, color, colormap=colormap, color_scale=color_scale, color_range=color_range,
-                                  legend=legend, fit=fit, search=search, fill=fill, view=view, edges=edges,
+                                  legend=legend, fit=fit, search=search, fill=fill, edge_color=edge_color,
+                                  background=background, view=view, edges=edges,
                                   show_sites=show_sites, dual=dual, labels=labels, edge_width=edge_width,
                                   dot_size=dot_size, label_size=label_size, antialias=antialias)
         found = given(points)
@@ -134,10 +136,12 @@ class Session:
              dot_size: Optional[float] = None, fit: Optional[str] = None, project: Project = None,
              margin: Margin = None, domain_layer: Optional[str] = None, repair: bool = False, crs: Any = None,
              antialias: int = 1, dual: bool = False, labels: bool = False, label_size: float = 10, fill: bool = True,
+             edge_color: Optional[str] = None, background: Optional[str] = None,
              view: Optional[Sequence[float]] = None, surface: Optional[str] = None) -> Diagram:
         """As `vorpipe.draw`."""
         look = _arguments.look_of(size, color, colormap=colormap, color_scale=color_scale, color_range=color_range,
-                                  legend=legend, fit=fit, search=search, fill=fill, view=view, edges=edges,
+                                  legend=legend, fit=fit, search=search, fill=fill, edge_color=edge_color,
+                                  background=background, view=view, edges=edges,
                                   show_sites=show_sites, dual=dual, labels=labels, edge_width=edge_width,
                                   dot_size=dot_size, label_size=label_size, antialias=antialias)
         found = given(points)

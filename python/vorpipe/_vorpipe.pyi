@@ -214,7 +214,7 @@ class Colors:
 
 class Look:
     def __init__(self, size: Optional[Tuple[int, Optional[int]]], fit: Optional[str], colors: Colors,
-                 marks: Dict[str, Union[bool, float]], search: str, neighbors: int,
+                 marks: Dict[str, Union[None, bool, float, str]], search: str, neighbors: int,
                  view: Optional[Tuple[float, float, float, float]]) -> None: ...
 
 class ColorKey:

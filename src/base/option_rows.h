@@ -55,8 +55,17 @@ struct PointRow {
   const char* help;
 };
 
+template <class Struct>
+struct ColorRow {
+  const char* name;
+  std::optional<Color> Struct::*member;
+  std::array<const FlagRow<Struct>*, 2> of;
+  const char* help;
+  const char* value = "C";
+};
+
 inline constexpr FlagRow<RenderOptions> edges_row{"edges", &RenderOptions::edges,
-                                                  "darkens the edges of the cells"},
+                                                  "draws the edges of the cells"},
     dual_row{"dual", &RenderOptions::dual,
              "draws lines between sites whose cells have a common edge in the domain: of the Delaunay "
              "triangulation, what does not meet beyond; a larger --margin has more of it"},
@@ -94,6 +103,18 @@ inline constexpr NumberRow<RenderOptions, double> edge_width_row{
                    "PX",
                    "how high the digits are, {0} to {1} pixels [{2}]"};
 
+inline constexpr ColorRow<RenderOptions> edge_color_row{
+    "edge_color",
+    &RenderOptions::edge_color,
+    {&edges_row, nullptr},
+    "the color of the edges: #rgb, #rrggbb or a name of CSS, as white [#181818]"},
+    background_row{
+        "background",
+        &RenderOptions::background,
+        {},
+        "the color of what is no cell, and of cells with --no-fill: #rgb, #rrggbb, #rrggbbaa with an "
+        "opacity, or a name of CSS [transparent, and white cells]"};
+
 inline constexpr NumberRow<RenderOptions, int> antialias_row{
     "antialias",
     &RenderOptions::antialias,
@@ -107,9 +128,9 @@ inline constexpr NumberRow<RenderOptions, int> antialias_row{
     "centers [{2}]"};
 
 /// The marks of pictures, in the order of help; and all options of pictures that have rows.
-inline constexpr std::tuple mark_rows{edges_row,    dual_row,   edge_width_row, show_sites_row,
-                                      dot_size_row, labels_row, label_size_row};
-inline constexpr auto picture_rows = std::tuple_cat(mark_rows, std::tuple{antialias_row});
+inline constexpr std::tuple mark_rows{edges_row,      edge_color_row, dual_row,   edge_width_row,
+                                      show_sites_row, dot_size_row,   labels_row, label_size_row};
+inline constexpr auto picture_rows = std::tuple_cat(mark_rows, std::tuple{background_row, antialias_row});
 
 inline constexpr double without_end = std::numeric_limits<double>::infinity(),
                         above_zero = std::numeric_limits<double>::denorm_min();

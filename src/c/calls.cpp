@@ -160,6 +160,14 @@ const char* textAt(const std::vector<std::string>& texts, std::size_t index) {
 
 namespace {
 
+Result<void> takeColor(std::string_view name, const char* text, std::optional<Color>& color) {
+  if (text == nullptr) return {};
+  const auto read = readColor(text);
+  if (!read) return inputError(fmt::format("{}: {}", name, read.error().message));
+  color = *read;
+  return {};
+}
+
 /// Takes options of appearance: mapping of values to colors, line widths, the domain's aspect ratio.
 Result<void> takeLooks(const PlacedInput& placed, const vorpipe_render_options& given,
                        RenderOptions& options) {
@@ -179,6 +187,8 @@ Result<void> takeLooks(const PlacedInput& placed, const vorpipe_render_options& 
   options.labels = given.labels != 0;
   options.fill = given.no_fill == 0;
   if (given.label_size != 0) options.label_size = given.label_size;
+  VORPIPE_TRY(takeColor("edge_color", given.edge_color, options.edge_color));
+  VORPIPE_TRY(takeColor("background", given.background, options.background));
   return {};
 }
 

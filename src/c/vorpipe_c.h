@@ -505,6 +505,9 @@ typedef struct vorpipe_render_options {
   double label_size; /* the height of digits, pixels, 5 to 200; 0: 10 */
   int32_t has_view;  /* not 0: the picture shows this part of the plane; colors are as they are without */
   double view_xmin, view_ymin, view_xmax, view_ymax; /* 0 otherwise */
+  const char* edge_color; /* of edges: "#rgb", "#rrggbb" or a name of CSS; NULL: "#181818" */
+  const char* background; /* of what is no cell, and of cells with no_fill; may be "#rrggbbaa"; NULL:
+                             transparent, and white cells */
 } vorpipe_render_options;
 
 typedef struct vorpipe_picture vorpipe_picture;

@@ -3,8 +3,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <type_traits>
 #include <utility>
 
+#include "base/option_rows.h"
 #include "base/try.h"
 #include "io/base/error.h"
 #include "io/cells/forecast_files.h"
@@ -47,14 +49,34 @@ Result<void> checkPicture(const RenderOptions& picture, const InputOptions& site
   return {};
 }
 
-/// Returns the size of a picture; while the domain is unknown, a lower bound.
-PictureSize sizeOf(const PictureOptions& picture, const std::optional<Box>& domain) {
-  if (!domain) return sizeBefore(picture.size);
-  RenderOptions options = picture.render;
-  options.domain = *domain;
-  const int longer_side = picture.size.longer_side;
-  const Box& shown = shownBox(options);
-  return picture.size.sides.value_or(longer_side > 0 ? sizeFor(shown, longer_side) : defaultSize(shown));
+/// Takes the size, and on paper widths of marks in 1/96 inch. Errors (input): too large for a picture.
+Result<void> takeSize(const PictureOptions& picture, RenderOptions& options) {
+  VORPIPE_TRY(checkPaper(picture));
+  const PictureSize size = sizeOf(picture, shownBox(options));
+  options.width = size.width;
+  options.height = size.height;
+  if (!picture.size.paper) return {};
+  constexpr double millimeters_of_inch = 25.4, unit = 96;
+  const double millimeters = millimeters_of_inch / picture.dpi, pixels = picture.dpi / unit;
+  const PaperSize& given = *picture.size.paper;
+  const bool whole = given.height > 0;
+  options.paper = PaperSize{whole ? given.width : size.width * millimeters,
+                            whole ? given.height : size.height * millimeters};
+  Result<void> taken;
+  const auto scale = [&](const auto& row) {
+    if constexpr (std::is_same_v<std::decay_t<decltype(options.*row.member)>, double>) {
+      double& value = options.*row.member;
+      if (value == 0 || !taken) return;
+      const double scaled = std::max(row.least_given, value * pixels);
+      if (scaled > row.most) {
+        taken = inputError(fmt::format("{}: {} with --dpi {} is {:.6g} pixels; {} are the most", flagOf(row),
+                                       value, picture.dpi, scaled, row.most));
+      }
+      value = scaled;
+    }
+  };
+  forEachRow(mark_rows, scale);
+  return taken;
 }
 
 /// Returns the options of the cells for a picture's shapes.
@@ -64,7 +86,38 @@ CellsOptions shapesOptions(const RenderOptions& picture) {
   return cells;
 }
 
+/// Checks what can be wrong with a photograph before it is read.
+Result<void> checkPhotograph(const PictureOptions& picture) {
+  const PhotographChoice& photograph = picture.photograph;
+  if (photograph.file.empty()) {
+    if (!photograph.box) return {};
+    return inputError("--color-box: is for a photograph that --color names");
+  }
+  const std::string_view scaled = scaleOption(picture.render);
+  if (!scaled.empty())
+    return inputError(fmt::format("{}: colors of a photograph stand for no values", scaled));
+  if (picture.no_fill) return inputError("--color: cells have no colors with --no-fill");
+  return {};
+}
+
 }  // namespace
+
+Result<PhotographFile> photographOf(const PictureOptions& picture, const InputOptions& sites, Input& input) {
+  const auto& [path, box] = picture.photograph;
+  if (path.empty()) return {};
+  auto read = readPhotograph(path, box);
+  if (!read) return named("--color", std::move(read.error()));
+  VORPIPE_TRY(placePhotograph(*read, path, input, domainWords(sites), "--color", "--color-box"));
+  return read;
+}
+
+Result<void> takeColors(const PhotographFile& photograph, const Sites& sites, int threads,
+                        RenderOptions& options) {
+  if (photograph.photograph.rgba.empty()) return {};
+  VORPIPE_VAR(colors, photographColors(sites, photograph.photograph, cellsOptions(options), threads));
+  options.site_colors = std::move(colors);
+  return {};
+}
 
 Result<RenderOptions> pictureOf(const PictureOptions& picture, const InputOptions& sites,
                                 const Input& input) {
@@ -72,12 +125,11 @@ Result<RenderOptions> pictureOf(const PictureOptions& picture, const InputOption
   options.domain = input.domain;
   options.outline = input.outline;
   options.periodic = input.periodic;
-  const PictureSize size = sizeOf(picture, input.domain);
-  options.width = size.width;
-  options.height = size.height;
+  VORPIPE_TRY(takeSize(picture, options));
   options.fit = picture.fit.value_or(usualFit(input));
   options.fill = !picture.no_fill;
   VORPIPE_TRY(checkMarks(picture));
+  VORPIPE_TRY(checkPhotograph(picture));
   if (auto checked = checkView(options); !checked) return inputError("--view: " + checked.error().message);
   VORPIPE_TRY(checkPicture(options, sites, input));
   return options;
@@ -167,14 +219,24 @@ void planDrawing(MemoryPlan& plan, const Workload& work, const RenderOptions& op
   if (needs.cells) planShapes(plan, work, options);
 }
 
+void planColors(MemoryPlan& plan, const Workload& work, const PictureOptions& picture) {
+  // Sums of three channels and a count, and the color.
+  constexpr std::uint64_t bytes_of_site = 4 * sizeof(std::uint64_t) + sizeof(std::uint32_t),
+                          places = 28'000'000;
+  if (!picture.photograph.file.empty())
+    plan.take("colors of a photograph", places + bytes_of_site * work.sites);
+}
+
 void planDrawingAfterSteps(MemoryPlan& plan, const Workload& work, const PictureOptions& picture,
                            const std::optional<Box>& domain, const DrawingNeeds& needs) {
   constexpr std::uint64_t gaps = 8'000'000;
-  const PictureSize size = sizeOf(picture, domain);
   RenderOptions options = picture.render;
+  if (domain) options.domain = *domain;
+  const PictureSize size = domain ? sizeOf(picture, shownBox(options)) : sizeBefore(picture);
   options.width = size.width;
   options.height = size.height;
   plan.take("gaps that steps left", gaps);
+  planColors(plan, work, picture);
   planDrawing(plan, work, options, needs, /*checks=*/false);
 }
 

@@ -8,6 +8,7 @@
 
 #include "cli/input.h"
 #include "cli/options/picture_options.h"
+#include "io/sites/photograph_file.h"
 #include "vorpipe.h"
 
 namespace vorpipe::cli {
@@ -15,6 +16,15 @@ namespace vorpipe::cli {
 /// Returns what to draw of an input. Errors (input), which name the option: options contradict each other or
 /// the input.
 Result<RenderOptions> pictureOf(const PictureOptions& picture, const InputOptions& sites, const Input& input);
+
+/// Reads the photograph that --color names, if any; adds notes on its place to the input. Errors: those of
+/// readPhotograph and placePhotograph.
+Result<PhotographFile> photographOf(const PictureOptions& picture, const InputOptions& sites, Input& input);
+
+/// Gives the picture of these sites the colors of a photograph, if there is one. Errors: those of
+/// photographColors.
+Result<void> takeColors(const PhotographFile& photograph, const Sites& sites, int threads,
+                        RenderOptions& options);
 
 /// Returns a note that a picture stretches its domain, and how to avoid that. Empty if it does not, or if
 /// --fit requested it.
@@ -61,7 +71,10 @@ Result<std::vector<std::string>> checkDrawing(const Sites& sites, const RenderOp
 void planDrawing(MemoryPlan& plan, const Workload& work, const RenderOptions& options,
                  const DrawingNeeds& needs, bool checks);
 
-/// The same after a run of steps, without checks; `domain` if known.
+/// Plans the memory of takeColors(), besides the photograph, if there is one.
+void planColors(MemoryPlan& plan, const Workload& work, const PictureOptions& picture);
+
+/// As planDrawing after a run of steps, without checks; `domain` if known.
 void planDrawingAfterSteps(MemoryPlan& plan, const Workload& work, const PictureOptions& picture,
                            const std::optional<Box>& domain, const DrawingNeeds& needs);
 

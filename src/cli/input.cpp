@@ -67,21 +67,6 @@ std::string_view optionOf(Subject subject, const InputOptions& options) {
   return {};
 }
 
-/// Returns the command line's names for the domain's messages.
-DomainWords domainWords(const InputOptions& options) {
-  return {options.sites == "-" ? "<stdin>" : options.sites,
-          "--domain",
-          "--domain XMIN,YMIN,XMAX,YMAX",
-          "--margin",
-          "--repair",
-          "--project",
-          "--project auto",
-          "--project LON,LAT",
-          "--periodic",
-          "--density",
-          "--density-box"};
-}
-
 /// Finds the domain by --domain, --margin, --repair and --project.
 Result<void> takeDomain(const InputOptions& options, Input& input, bool of_corners = false) {
   if (!options.domain_layer.empty() && options.domain.file.empty())
@@ -144,6 +129,20 @@ CellsOptions cellsOptionsOf(const Input& input, const SearchOptions& search) {
   cells.periodic = input.periodic;
   cells.search = search;
   return cells;
+}
+
+DomainWords domainWords(const InputOptions& options) {
+  return {options.sites == "-" ? "<stdin>" : options.sites,
+          "--domain",
+          "--domain XMIN,YMIN,XMAX,YMAX",
+          "--margin",
+          "--repair",
+          "--project",
+          "--project auto",
+          "--project LON,LAT",
+          "--periodic",
+          "--density",
+          "--density-box"};
 }
 
 Result<DensityFile> densityOf(const DensityOptions& options) {

@@ -31,6 +31,9 @@ Result<Input> inputAround(const InputOptions& options, Sites corners);
 /// Returns the options of the cells of an input.
 CellsOptions cellsOptionsOf(const Input& input, const SearchOptions& search = {});
 
+/// Returns the command line's names for the messages about a domain.
+DomainWords domainWords(const InputOptions& options);
+
 /// Reads --density, if given, at the place that --density-box names. Errors: those of readDensity.
 Result<DensityFile> densityOf(const DensityOptions& options);
 

@@ -10,6 +10,7 @@
 
 #include "base/try.h"
 #include "cli/drawing.h"
+#include "cli/fluid_files.h"
 #include "cli/progress.h"
 #include "io/base/error.h"
 #include "io/cells/forecast_files.h"
@@ -84,15 +85,21 @@ struct ResultParts {
   RenderOptions render{};
 };
 
+Result<RenderOptions> renderOf(const SitesRun& run, const Sites& sites) {
+  VORPIPE_VAR(render, pictureOf(run.command.picture, run.source, *run.input));
+  render.search = run.options.search;
+  VORPIPE_TRY(takeColors(run.photograph, sites, run.options.backend.threads, render));
+  return render;
+}
+
 /// Computes what the files need.
 Result<ResultParts> partsOf(SitesRun& run, const Sites& sites) {
   const ResultTargets& targets = run.command.targets;
   Session& session = *run.session;
   ResultParts parts{sites};
   if (!targets.pictures.empty()) {
-    VORPIPE_VAR(render, pictureOf(run.command.picture, run.source, *run.input));
+    VORPIPE_VAR(render, renderOf(run, sites));
     parts.render = std::move(render);
-    parts.render.search = run.options.search;
     VORPIPE_VAR(drawing, draw(run.surface, session, sites, parts.render, needsOf(targets.pictures)));
     parts.drawing = std::move(drawing);
   }
@@ -145,6 +152,8 @@ Result<void> SitesRun::load(const PlanRun& plan) {
   }
   VORPIPE_VAR(loaded, CommandRun::load(source, plan));
   VORPIPE_TRY(placeUnder(density, command.density, source, loaded));
+  VORPIPE_VAR(colors, photographOf(command.picture, source, loaded));
+  photograph = std::move(colors);
   if (sampled) {
     auto sites = drawnFrom(density.density, loaded.domain, loaded.outline, *sampled, source.seed);
     if (!sites) return asOption(std::move(sites.error()), source);
@@ -157,7 +166,7 @@ Result<void> SitesRun::load(const PlanRun& plan) {
 
 Result<void> SitesRun::begin(const PlanRun& plan) {
   VORPIPE_TRY(checkInput(source, *input, cellsOptions(*this), options.backend.threads));
-  if (!command.targets.pictures.empty()) {
+  if (!command.targets.pictures.empty() || !command.targets.frames.empty()) {
     VORPIPE_LET(render, pictureOf(command.picture, source, *input));
     if (surface == Surface::free) {
       VORPIPE_TRY(checkFreePicture("--picture", render, needsOf(command.targets.pictures)));
@@ -177,6 +186,8 @@ void SitesRun::planFiles(MemoryPlan& plan, const Workload& work) const {
   const auto domain = input ? std::optional(input->domain) : std::nullopt;
   if (!targets.pictures.empty())
     planDrawingAfterSteps(plan, work, command.picture, domain, needsOf(targets.pictures));
+  if (!targets.frames.empty())
+    planDrawingAfterSteps(plan, work, command.picture, domain, {.pixels = true, .cells = false});
   if (!targets.cells.empty()) planCells(plan, work, targets.detail());
   for (const CellsTarget& target : targets.cells) planCellsFile(plan, work, *target.format);
 }
@@ -191,6 +202,22 @@ Result<void> SitesRun::write(const Sites& sites, RunOutput output) {
     others(json);
   };
   return CommandRun::write(output);
+}
+
+Result<std::unique_ptr<view::Recorder>> SitesRun::openFrames() const {
+  if (command.targets.frames.empty()) return nullptr;
+  FluidTargets film;
+  film.frames = command.targets.frames;
+  VORPIPE_TRY(checkApart(film, files));
+  auto opened = view::openRecorder(film.frames);
+  if (!opened) return named("--frames", std::move(opened.error()));
+  return opened;
+}
+
+Result<Image> SitesRun::frameOf(const Sites& sites) {
+  VORPIPE_LET(render, renderOf(*this, sites));
+  VORPIPE_VAR(drawing, draw(surface, *session, sites, render, {.pixels = true, .cells = false}));
+  return std::move(drawing.pixels->image);
 }
 
 Result<void> SitesRun::writeNumbered(const Sites& sites, std::uint64_t number) {

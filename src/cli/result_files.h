@@ -1,6 +1,7 @@
 /// What `relax` and `transport` have in common: sites under a density, and files of the resulting sites.
 #pragma once
 
+#include <memory>
 #include <optional>
 #include <string>
 #include <utility>
@@ -11,6 +12,8 @@
 #include "cli/options/picture_options.h"
 #include "cli/options/result_outputs.h"
 #include "cli/run.h"
+#include "io/sites/photograph_file.h"
+#include "view/recorder.h"
 #include "vorpipe.h"
 
 namespace vorpipe::cli {
@@ -49,12 +52,19 @@ struct SitesRun : CommandRun {
   /// figures. Errors: those of Session::cells, pictureOf, draw and CommandRun::write.
   Result<void> write(const Sites& sites, RunOutput output);
 
+  /// Opens ResultTargets::frames; null if there are none. Errors, with the option's name: those of
+  /// openRecorder; another output lies in the folder.
+  Result<std::unique_ptr<view::Recorder>> openFrames() const;
+  /// Draws a frame. Errors: those of pictureOf, takeColors and draw.
+  Result<Image> frameOf(const Sites& sites);
+
   /// Writes the files of ResultTargets::numberedPaths. Errors likewise, and those of createOutputs.
   Result<void> writeNumbered(const Sites& sites, std::uint64_t number);
 
   const SitesOptions& command;
   InputOptions source;  ///< of the input; a generator in place of `density:N`
   Surface surface = Surface::none;
+  PhotographFile photograph{};   ///< of the pictures
   DensityFile density{};         ///< empty until it is loaded, or if there is none
   std::optional<Input> input{};  ///< once it is loaded
 };

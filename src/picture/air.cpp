@@ -7,6 +7,7 @@
 #include "picture/pixels.h"
 #include "vorpipe.h"
 #include "vorpipe/free_surface.h"
+#include "vorpipe/shapes.h"
 
 namespace vorpipe {
 namespace {
@@ -69,22 +70,10 @@ Result<void> refuseWhatIsOverAir(const RenderOptions& options) {
   return {};
 }
 
-/// Returns a color that covers a part of its pixel.
+/// Returns a color that covers a part of its pixel, which is transparent.
 std::uint32_t partly(std::uint32_t rgba, double part) {
   const auto alpha = static_cast<std::uint32_t>(std::lround((rgba >> 24) * part));
   return alpha == 0 ? 0 : (rgba & 0xFFFFFFu) | alpha << 24;
-}
-
-/// Returns a color that covers a part of a white pixel.
-std::uint32_t overWhite(std::uint32_t rgba, double part) {
-  constexpr double most = 255;
-  const double over = part * (rgba >> 24) / most;
-  std::uint32_t mixed = 0xFF000000U;
-  for (int shift = 0; shift < 24; shift += 8) {
-    const double channel = over * (rgba >> shift & 0xFF) + (1 - over) * most;
-    mixed |= static_cast<std::uint32_t>(std::lround(channel)) << shift;
-  }
-  return mixed;
 }
 
 /// Calls `air` for each pixel that is partly air, with its color and the part that is not air. A pixel loses
@@ -115,14 +104,16 @@ void forAir(const Sites& sites, const RenderOptions& options, Image& image, int 
 
 Result<void> takeOutAir(const Sites& sites, const RenderOptions& options, Image& image, int threads) {
   VORPIPE_TRY(refuseWhatIsOverAir(options));
-  forAir(sites, options, image, threads,
-         [](std::uint32_t& pixel, double part) { pixel = partly(pixel, part); });
+  forAir(sites, options, image, threads, [&](std::uint32_t& pixel, double part) {
+    pixel = options.background ? core::mixed(pixel, part, options.background->rgba) : partly(pixel, part);
+  });
   return {};
 }
 
 void whitenAir(const Sites& sites, const RenderOptions& options, Image& image, int threads) {
-  forAir(sites, options, image, threads,
-         [](std::uint32_t& pixel, double part) { pixel = overWhite(pixel, part); });
+  forAir(sites, options, image, threads, [&](std::uint32_t& pixel, double part) {
+    pixel = core::mixed(pixel, part, unfilledColor(options));
+  });
 }
 
 }  // namespace vorpipe

@@ -16,33 +16,36 @@ namespace {
 /// is hidden here.
 double outlineWidth(const RenderOptions& options) { return options.edge_width + 1; }
 
-/// Darkens edges only in a part of an image: at the end of the domain, cells end but no others begin.
-void drawEdgesIn(const PictureFrame& part, double width, int threads, Image& image) {
-  if (part.width == image.width && part.height == image.height) return drawEdges(image, width, threads);
+/// Draws edges only in a part of an image: at the end of the domain, cells end but no others begin.
+void drawEdgesIn(const PictureFrame& part, const RenderOptions& options, int threads, Image& image) {
+  const double width = options.edge_width;
+  const std::uint32_t color = edgeColor(options);
+  if (part.width == image.width && part.height == image.height)
+    return drawEdges(image, width, color, threads);
   if (part.width == 0) return;
   Image cut = partOf(image, part);
-  drawEdges(cut, width, threads);
+  drawEdges(cut, width, color, threads);
   putPart(cut, part, image);
 }
 
-/// Returns the mean color of the samples of a pixel (decision D106). SampleGrid without a site are
-/// transparent and do not affect the color.
+/// Returns the mean color of the samples of a pixel (decision D106), by their opacities. Samples without a
+/// site are transparent and do not affect the color.
 std::uint32_t meanOf(const Image& samples, int row, int column, int in_pixel) {
   constexpr std::uint32_t opaque = 0xFF;
   std::array<std::uint32_t, 3> sums{};
-  std::uint32_t covered = 0;
+  std::uint32_t covered = 0;  // in 255ths
   for (int y = row * in_pixel; y < (row + 1) * in_pixel; ++y) {
     for (int x = column * in_pixel; x < (column + 1) * in_pixel; ++x) {
       const auto at = pixelAt(samples, y, x);
       if (samples.ids[at] == no_site) continue;
-      ++covered;
-      const std::uint32_t color = samples.rgba[at];
-      for (std::size_t c = 0; c < sums.size(); ++c) sums[c] += color >> 8 * c & opaque;
+      const std::uint32_t color = samples.rgba[at], alpha = color >> 24;
+      covered += alpha;
+      for (std::size_t c = 0; c < sums.size(); ++c) sums[c] += alpha * (color >> 8 * c & opaque);
     }
   }
   if (covered == 0) return 0;
   const auto all = static_cast<std::uint32_t>(in_pixel * in_pixel);
-  std::uint32_t mean = (opaque * covered + all / 2) / all << 24;
+  std::uint32_t mean = (covered + all / 2) / all << 24;
   for (std::size_t c = 0; c < sums.size(); ++c) mean |= (sums[c] + covered / 2) / covered << 8 * c;
   return mean;
 }
@@ -78,14 +81,14 @@ Result<void> drawOverlays(const Overlays& overlays, const DrawRows& cells, Image
   const auto draw_lines = [&](int first, int in_pixel, Image& into) {
     const SampleGrid samples{static_cast<double>(frame.left), static_cast<double>(frame.top + first),
                              in_pixel};
-    drawLines(marks.edges, options.edge_width, edge_color, samples, threads, into);
-    drawLines(marks.outline, outlineWidth(options), edge_color, samples, threads, into);
+    drawLines(marks.edges, options.edge_width, edgeColor(options), samples, threads, into);
+    drawLines(marks.outline, outlineWidth(options), edgeColor(options), samples, threads, into);
     drawLines(marks.dual, options.edge_width, dual_color, samples, threads, into);
-    if (dots) dots->draw({0, static_cast<double>(first), in_pixel}, !options.fill, into);
+    if (dots) dots->draw({0, static_cast<double>(first), in_pixel}, dotColor(options), into);
   };
   const int in_pixel = options.antialias;
   if (in_pixel == 1) {
-    if (options.edges) drawEdgesIn(overlays.domain, options.edge_width, threads, image);
+    if (options.edges) drawEdgesIn(overlays.domain, options, threads, image);
     draw_lines(0, 1, image);
     return {};
   }

@@ -236,6 +236,8 @@ double labelMargin(const RenderOptions& options) {
 }
 
 std::uint32_t inkOn(std::uint32_t rgba) {
+  constexpr std::uint32_t half_opaque = 128;
+  if (rgba >> 24 < half_opaque) return black;
   // Luma of ITU-R BT.601, at most 255.
   constexpr double red = 0.299, green = 0.587, blue = 0.114, middle = 140;
   const auto channel = [&](int shift) { return static_cast<double>(rgba >> shift & 0xFF); };

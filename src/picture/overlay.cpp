@@ -169,8 +169,8 @@ void measureRow(const Image& image, int row, const Disk& disk, std::uint8_t* ste
   }
 }
 
-/// Darkens rows begin to end. Rows of distances are kept while the disk reaches them.
-void widenRows(Image& image, const Disk& disk, int begin, int end) {
+/// Colors rows begin to end. Rows of distances are kept while the disk reaches them.
+void widenRows(Image& image, const Disk& disk, std::uint32_t color, int begin, int end) {
   const int reach = disk.rows(), kept = 2 * reach + 1;
   const auto width = static_cast<std::size_t>(image.width);
   std::vector<std::uint8_t> distances(static_cast<std::size_t>(kept) * width);
@@ -192,7 +192,7 @@ void widenRows(Image& image, const Disk& disk, int begin, int end) {
     }
     const auto first = pixelAt(image, row, 0);
     for (std::size_t column = 0; column < width; ++column) {
-      if (dark[column] != 0 && image.ids[first + column] != no_site) image.rgba[first + column] = edge_color;
+      if (dark[column] != 0 && image.ids[first + column] != no_site) image.rgba[first + column] = color;
     }
   }
 }
@@ -237,13 +237,13 @@ void drawLines(std::span<const Line> lines, double width, std::uint32_t color, c
               });
 }
 
-void drawEdges(Image& image, double width, int threads) {
+void drawEdges(Image& image, double width, std::uint32_t color, int threads) {
   constexpr std::size_t rows_at_once = 256;
   const Disk disk(static_cast<int>(std::lround(width)));
   const auto rows = static_cast<std::size_t>(image.height);
   parallelFor(rows, rows_at_once, threadsForSteps(image.ids.size(), threads),
               [&](std::size_t begin, std::size_t end) {
-                widenRows(image, disk, static_cast<int>(begin), static_cast<int>(end));
+                widenRows(image, disk, color, static_cast<int>(begin), static_cast<int>(end));
               });
 }
 
@@ -285,13 +285,13 @@ double SiteDots::spacing() const {
   return std::sqrt(static_cast<double>(*middle));
 }
 
-void SiteDots::draw(const SampleGrid& samples, bool white_cells, Image& image) const {
+void SiteDots::draw(const SampleGrid& samples, std::uint32_t color, Image& image) const {
   const double scale = samples.in_pixel;
   const DotSize dot{dot_.radius * scale, dot_.rim * scale};
   for (std::size_t i = 0; i < sites_.size(); ++i) {
     if (!shows(i)) continue;
     const Point at{(x(i) - samples.left) * scale, (y(i) - samples.top) * scale};
-    drawDot(image, at, dot, white_cells ? black : white);
+    drawDot(image, at, dot, color);
   }
 }
 

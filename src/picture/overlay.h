@@ -22,11 +22,11 @@ struct SampleGrid {
 void drawLines(std::span<const Line> lines, double width, std::uint32_t color, const SampleGrid& samples,
                int threads, Image& image);
 
-/// Darkens each pixel whose right or lower neighbor belongs to another cell, and each beside a pixel without
-/// a site: these are edge pixels. The width is rounded to whole pixels. An odd width above 1 darkens all
-/// pixels whose centers are within (width - 1) / 2 of an edge pixel's center. An even width darkens those
+/// Colors each pixel whose right or lower neighbor belongs to another cell, and each beside a pixel without
+/// a site: these are edge pixels. The width is rounded to whole pixels. An odd width above 1 colors all
+/// pixels whose centers are within (width - 1) / 2 of an edge pixel's center. An even width colors those
 /// within width / 2 of its lower right corner.
-void drawEdges(Image& image, double width, int threads);
+void drawEdges(Image& image, double width, std::uint32_t color, int threads);
 
 /// Draws a dot at each site that lies in a pixel with a site.
 class SiteDots {
@@ -36,8 +36,7 @@ class SiteDots {
   /// of it outlives this.
   SiteDots(const Image& image, const Sites& sites, const Box& domain, double size);
 
-  /// `white_cells`: dots are black, since white ones would not show.
-  void draw(const SampleGrid& samples, bool white_cells, Image& image) const;
+  void draw(const SampleGrid& samples, std::uint32_t color, Image& image) const;
 
  private:
   /// The pixel of a site, y downward, and whether a dot is drawn there.

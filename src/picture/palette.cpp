@@ -94,6 +94,17 @@ Result<void> checkNoScale(const RenderOptions& options) {
   return {};
 }
 
+Result<void> checkOwnColors(const Sites& sites, const RenderOptions& options) {
+  const std::size_t count = options.site_colors.size();
+  if (count == 0) return {};
+  const auto refuse = [](std::string message) {
+    return tl::unexpected(Error{ErrorCode::input, "site colors: " + std::move(message)});
+  };
+  if (options.color != ColorBy::site) return refuse("are given, and so is another way to color");
+  if (count != sites.size()) return refuse(fmt::format("are {} for {} sites", count, sites.size()));
+  return {};
+}
+
 }  // namespace
 
 Result<Palette> paletteByName(std::string_view name) {
@@ -109,6 +120,7 @@ Result<Palette> paletteByName(std::string_view name) {
 
 Result<PaletteIndices> paletteIndices(const Sites& sites, const Diagram& cells, const RenderOptions& options,
                                       int threads) {
+  VORPIPE_TRY(checkOwnColors(sites, options));
   if (options.color == ColorBy::site) {
     VORPIPE_TRY(checkNoScale(options));
     return PaletteIndices{indicesBySite(sites.size()), {}};
@@ -152,6 +164,10 @@ Result<SiteColors> siteColors(const Sites& sites, const Diagram& cells, const Re
   VORPIPE_VAR(indices, core::paletteIndices(sites, cells, options, 0));
   SiteColors colors;
   colors.key = indices.key;
+  if (!options.site_colors.empty()) {
+    colors.rgba = options.site_colors;
+    return colors;
+  }
   colors.rgba.resize(sites.size());
   std::ranges::transform(indices.index, colors.rgba.begin(),
                          [&](std::uint8_t index) { return palette[index]; });

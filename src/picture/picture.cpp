@@ -3,6 +3,7 @@
 #include <optional>
 #include <utility>
 
+#include "base/parallel.h"
 #include "base/stopwatch.h"
 #include "base/try.h"
 #include "domain/pixel_mask.h"
@@ -71,8 +72,10 @@ void beginReport(const KeptPicture& kept, Report& report) {
 }
 
 /// Returns the colors of cells by site; empty if there are no labels.
-std::vector<std::uint32_t> colorsIn(const KeptPicture& kept, const Marks& marks, const Palette& palette) {
+std::vector<std::uint32_t> colorsIn(const KeptPicture& kept, const RenderOptions& options, const Marks& marks,
+                                    const Palette& palette) {
   if (marks.labels.empty()) return {};
+  if (hasOwnColors(options)) return options.site_colors;
   const SiteSet& set = kept.found.run->prepared.set;
   std::vector<std::uint32_t> colors(kept.found.scene.imaged.count);
   for (std::size_t i = 0; i < set.size(); ++i) {
@@ -82,10 +85,25 @@ std::vector<std::uint32_t> colorsIn(const KeptPicture& kept, const Marks& marks,
 }
 
 /// The palette of cells without fill.
-Palette whitePalette() {
+Palette unfilledPalette(const RenderOptions& options) {
   Palette palette;
-  palette.fill(white);
+  palette.fill(unfilledColor(options));
   return palette;
+}
+
+/// Gives pixels what devices do not paint: own colors of sites, or none where cells show the background. Ids
+/// are those of the scene.
+void repaint(const Scene& scene, const RenderOptions& options, int threads, Image& image) {
+  if (cellsShowBackground(options)) return clearColors(image);
+  if (!hasOwnColors(options)) return;
+  constexpr std::size_t repaint_grain = 1 << 16;
+  parallelFor(image.ids.size(), repaint_grain, threadsForSteps(image.ids.size(), threads),
+              [&](std::size_t begin, std::size_t end) {
+                for (auto k = begin; k < end; ++k) {
+                  if (image.ids[k] != no_site)
+                    image.rgba[k] = options.site_colors[scene.siteOf(image.ids[k])];
+                }
+              });
 }
 
 /// Draws the overlays, masks everything outside the outline, and extends the picture to its full size.
@@ -100,11 +118,17 @@ Result<void> finish(const Sites& sites, const KeptPicture& kept, const RenderOpt
     maskOutside(kept.rings, shownBox(options), kept.found.run->prepared.exponent, threads, image);
   }
   const Overlays overlays{options, marks, scene.sitesOr(sites), shownIn(scene, options), in_frame, threads};
-  const auto draw = [&](int first, int last) { return samples->draw(first, last); };
+  repaint(scene, options, threads, image);
+  const auto draw = [&](int first, int last) {
+    auto rows = samples->draw(first, last);
+    if (rows) repaint(scene, options, threads, *rows);
+    return rows;
+  };
   VORPIPE_TRY(drawOverlays(overlays, draw, image));
   nameSites(scene, image.ids);
   putIntoFrame(frame, options.width, options.height, image);
-  drawLabels(marks, options, colorsIn(kept, marks, palette), image);
+  if (options.background) layOver(options.background->rgba, image);
+  drawLabels(marks, options, colorsIn(kept, options, marks, palette), image);
   if (options.legend) {
     drawLegend(legendOf(*kept.colors->key, options.colormap, options.width, options.height), image);
   }
@@ -116,7 +140,7 @@ Result<void> finish(const Sites& sites, const KeptPicture& kept, const RenderOpt
 Result<Rendering> renderKept(const Machine& machine, const Sites& sites, const RenderOptions& options,
                              const Marks& marks, KeptPicture& kept) {
   VORPIPE_LET(colormap, paletteByName(options.colormap));
-  const Palette palette = options.fill ? colormap : whitePalette();
+  const Palette palette = options.fill ? colormap : unfilledPalette(options);
   Rendering rendering;
   Report& report = rendering.report;
   beginReport(kept, report);

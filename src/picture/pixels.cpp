@@ -29,19 +29,23 @@ void spread(std::vector<std::uint32_t>& pixels, const PictureFrame& frame, int w
 
 }  // namespace
 
+std::uint32_t mixed(std::uint32_t color, double part, std::uint32_t below) {
+  constexpr double most = 255;
+  const double over = part * (color >> 24) / most;
+  const double under = (1 - over) * (below >> 24) / most;
+  const double alpha = over + under;
+  std::uint32_t result = static_cast<std::uint32_t>(std::lround(most * alpha)) << 24;
+  for (int shift = 0; shift < 24; shift += 8) {
+    const double channel = over * (color >> shift & 0xFF) + under * (below >> shift & 0xFF);
+    if (alpha > 0) result |= static_cast<std::uint32_t>(std::lround(channel / alpha)) << shift;
+  }
+  return result;
+}
+
 void blend(Image& image, int row, int column, std::uint32_t color, double part) {
   if (!(part > 0) || row < 0 || row >= image.height || column < 0 || column >= image.width) return;
-  constexpr double most = 255;
   std::uint32_t& pixel = image.rgba[pixelAt(image, row, column)];
-  const double over = std::min(part, 1.0) * (color >> 24) / most;
-  const double under = (1 - over) * (pixel >> 24) / most;
-  const double alpha = over + under;
-  std::uint32_t mixed = static_cast<std::uint32_t>(std::lround(most * alpha)) << 24;
-  for (int shift = 0; shift < 24; shift += 8) {
-    const double channel = over * (color >> shift & 0xFF) + under * (pixel >> shift & 0xFF);
-    if (alpha > 0) mixed |= static_cast<std::uint32_t>(std::lround(channel / alpha)) << shift;
-  }
-  pixel = mixed;
+  pixel = mixed(color, std::min(part, 1.0), pixel);
 }
 
 void blendBox(const Box& box, std::uint32_t color, Image& image) {
@@ -51,6 +55,15 @@ void blendBox(const Box& box, std::uint32_t color, Image& image) {
       blend(image, row, column, color, 1);
   }
 }
+
+void layOver(std::uint32_t background, Image& image) {
+  constexpr std::uint32_t opaque = 0xFF000000u;
+  for (std::uint32_t& pixel : image.rgba) {
+    if (pixel < opaque) pixel = mixed(pixel, 1, background);
+  }
+}
+
+void clearColors(Image& image) { std::ranges::fill(image.rgba, 0); }
 
 Image partOf(const Image& image, const PictureFrame& part) {
   Image cut{part.width, part.height, {}, {}};

@@ -139,6 +139,9 @@ Result<void> checkPicture(const RenderOptions& options) {
                                      least_with_legend.height));
   }
   if (options.legend && !options.fill) return refusePicture("legend: cells without fill have no colors");
+  if (options.edge_color && !options.edge_color->isOpaque()) {
+    return refusePicture(fmt::format("edge color {}: must be opaque", textOf(*options.edge_color)));
+  }
   Result<void> checked;
   const auto check = [&](const auto& row) {
     if constexpr (requires { row.least; }) {

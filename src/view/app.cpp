@@ -206,6 +206,10 @@ class App {
       takeEvents();
       viewer_.request();
       if (viewer_.takeResults()) to_draw_ = frames_after_change;
+      if (const double shows = viewer_.hintShows(); shows != hint_shown_) {
+        hint_shown_ = shows;
+        to_draw_ = std::max(to_draw_, 1);
+      }
       if (viewer_.fault()) return tl::unexpected(*viewer_.fault());
       viewer_.request();
       VORPIPE_TRY(drawFrame());
@@ -315,6 +319,7 @@ class App {
   std::unique_ptr<Recorder> recorder_{};
   std::unique_ptr<Player> player_{};
   int to_draw_ = frames_after_change;
+  double hint_shown_ = 1;
   bool is_over_ = false;
   std::uint64_t counted_ = 0;
   Stopwatch watch_{};

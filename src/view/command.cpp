@@ -74,7 +74,11 @@ void addMarks(Arguments& to, const RenderOptions& picture) {
     if constexpr (requires { row.of; }) {
       const auto draws = [&](const auto* flag) { return flag != nullptr && picture.*flag->member; };
       if (row.of[0] == nullptr || draws(row.of[0]) || draws(row.of[1])) {
-        to.option(flagOf(row), value, RenderOptions{}.*row.member);
+        if constexpr (requires { textOf(*value); }) {
+          if (value) to.add(flagOf(row), textOf(*value));
+        } else {
+          to.option(flagOf(row), value, RenderOptions{}.*row.member);
+        }
       }
     } else {
       to.flag(value, flagOf(row));

@@ -2,6 +2,7 @@
 
 #include <utility>
 
+#include "base/stopwatch.h"
 #include "base/try.h"
 
 namespace vorpipe::view {
@@ -78,7 +79,7 @@ Result<void> FluidRun::step(Frame& frame) {
 }
 
 Result<void> FluidRun::go(Session& session, const FrameRequest& request, const Progress& progress,
-                          Frame& frame) {
+                          double seconds, Frame& frame) {
   const bool stirs = !request.strokes.empty() && request.strokes.back().number > request.fluid->stirred;
   const bool steps = request.motion != Motion::rests;
   frame.fluid_from = frame.fluid = request.fluid;
@@ -94,7 +95,10 @@ Result<void> FluidRun::go(Session& session, const FrameRequest& request, const P
   gesture_ = request.gesture;
   VORPIPE_TRY(stir(request));
   if (steps) {
-    VORPIPE_TRY(step(frame));
+    const Stopwatch watch;
+    do {
+      VORPIPE_TRY(step(frame));
+    } while (!frame.ended && watch.seconds() < seconds);
   }
   frame.fluid = now_;
   frame.sites = now_->sites;

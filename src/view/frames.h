@@ -30,6 +30,7 @@ struct FrameRequest {
   /// If a sharp picture takes more milliseconds, a preview precedes it during a drag.
   double longest_without_preview = 60;
   Motion motion = Motion::rests;  ///< unless they rest, sites take a step before the picture is drawn
+  bool several_steps = false;     ///< as many as take about as long as the picture; else one
   RelaxMethod method = RelaxMethod::lloyd;
   std::shared_ptr<const Density> density{};  ///< may be null
   FixedFluid fluid{};  ///< fluid of the sites, which flows instead of relaxing; null: no fluid

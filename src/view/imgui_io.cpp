@@ -11,7 +11,7 @@
 
 #include <imgui.h>
 
-#include "view/font_file.h"
+#include "io/pictures/font_file.h"
 
 namespace vorpipe::view {
 namespace {

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <limits>
 #include <utility>
 
@@ -153,8 +154,14 @@ Result<void> Painter::step(const FrameRequest& request, Frame& frame) {
   }
   // Rejected diagrams move no sites.
   const auto& trace = relaxation_->trace();
-  Result<bool> more = relaxation_->step();
-  while (more && *more && !trace.back().taken) more = relaxation_->step();
+  const Stopwatch watch;
+  const double seconds = stepSeconds(request);
+  bool moved = false;
+  Result<bool> more = true;
+  do {
+    more = relaxation_->step();
+    moved = moved || (more && *more && trace.back().taken);
+  } while (more && *more && (!moved || watch.seconds() < seconds));
   if (more && !*more && relaxation_->end() == RelaxEnd::cancelled) {
     more = tl::unexpected(Error{ErrorCode::cancelled, "cancelled"});
   }
@@ -163,15 +170,21 @@ Result<void> Painter::step(const FrameRequest& request, Frame& frame) {
     relaxation_.reset();
     return tl::unexpected(more.error());
   }
-  frame.relaxed = !*more;
+  // Where the end follows other steps, the next request finds it.
+  frame.relaxed = !*more && !moved;
   frame.step = lastTaken(trace);
   frame.step->diagram = trace.back().diagram;
   frame.relaxed_from = frame.sites = relaxed_;
-  if (!*more) return {};
+  if (!moved) return {};
   frame.sites = std::make_shared<const Sites>(relaxation_->sites());
   relaxed_before_ = std::exchange(relaxed_, frame.sites);
   relaxed_gesture_ = request.gesture;
   return {};
+}
+
+double Painter::stepSeconds(const FrameRequest& request) const {
+  constexpr double most = 0.1;  // pictures keep coming
+  return request.several_steps ? std::min(drawn_in_, most) : 0;
 }
 
 Result<void> Painter::draw(const FrameRequest& request, Frame& frame, RenderResult& result) {
@@ -209,13 +222,16 @@ RenderResult Painter::paint(const FrameRequest& request, const Outdated& outdate
   if (auto opened = open(request, result); !opened) return fails(opened.error());
   Frame frame{request.number, request.sites};
   if (request.fluid) {
-    if (auto gone = fluid_.go(main_.session(), request, progress(), frame); !gone) return fails(gone.error());
+    if (auto gone = fluid_.go(main_.session(), request, progress(), stepSeconds(request), frame); !gone)
+      return fails(gone.error());
     if (const Report* const report = fluid_.report()) result.validation = report->validation_messages;
   } else if (request.motion != Motion::rests && request.sites->size() > 0) {
     if (auto stepped = step(request, frame); !stepped) return fails(stepped.error());
     result.validation = relaxation_->report().validation_messages;
   }
+  const Stopwatch draw_watch;
   if (auto drawn = draw(request, frame, result); !drawn) return fails(drawn.error());
+  drawn_in_ = draw_watch.seconds();
   painted_ = request.picture;
   drawn_fluid_ = frame.fluid;
   frame.milliseconds = watch.milliseconds();

@@ -47,7 +47,9 @@ class FluidRun {
  public:
   /// Begins, stirs and steps the fluid as the request asks, and stores its state in the frame.
   /// Errors: those of Fluid::begin and Fluid::step; cancelled if `progress` stops it.
-  Result<void> go(Session& session, const FrameRequest& request, const Progress& progress, Frame& frame);
+  /// Makes further steps for `seconds`.
+  Result<void> go(Session& session, const FrameRequest& request, const Progress& progress, double seconds,
+                  Frame& frame);
 
   /// Call before the session ends.
   void reset() { fluid_.reset(); }
@@ -93,7 +95,11 @@ class Painter {
   Result<void> draw(const FrameRequest& request, Frame& frame, RenderResult& result);
   [[nodiscard]] Progress progress() const;
 
+  /// How long further steps of a request may take, in seconds.
+  [[nodiscard]] double stepSeconds(const FrameRequest& request) const;
+
   Outdated outdated_{};
+  double drawn_in_ = 0;      ///< seconds that the last picture took, without its steps
   Renderer main_;            ///< outlives the members below
   Renderer compared_;        ///< the other backend, while two are compared
   RenderOptions painted_{};  ///< the last picture

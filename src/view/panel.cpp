@@ -215,12 +215,19 @@ struct Panel::State {
     }
     help_open = result.settings.help;
     if (help_open) drawHelp(frame);
-    if (!input.message.empty()) drawMessage(frame);
+    if (!input.message.empty()) {
+      drawMessage(frame, input.message, 1);
+    } else if (!input.hint.empty() && input.hint_shows > 0) {
+      drawMessage(frame, input.hint, static_cast<float>(input.hint_shows));
+    }
     if (input.compared) drawSplit(frame);
     list_open = ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopupId | ImGuiPopupFlags_AnyPopupLevel);
     const bool is_free = !isOver();
     if (is_free && input.fluid && input.fluid->brush && holder != Holder::panel) drawBrush(frame);
-    if (is_free && result.settings.panel && holder == Holder::none) drawTip(frame);
+    if (is_free && result.settings.panel && holder == Holder::none) {
+      drawBorder(frame);
+      drawTip(frame);
+    }
     ImGui::Render();
     types = io.WantTextInput;
   }

@@ -23,6 +23,7 @@ struct Hovered {
   Point position{0, 0};  ///< of the site
   double weight = 0, area = 0;
   std::uint64_t neighbors = 0;
+  std::vector<Position> border{};  ///< a closed line around it, in the window
 };
 
 /// In milliseconds.
@@ -57,6 +58,8 @@ struct PanelInput {
   FrameTimes times{};
   std::vector<DeviceInfo> devices{};
   std::string presenter{}, message{};  ///< presenter's name; last save or error, or empty
+  std::string hint{};                  ///< shown where there is no message; or empty
+  double hint_shows = 1;               ///< from 1 to 0, where it is gone
   std::uint64_t sites = 0;
   std::optional<RelaxStep> relaxed{};  ///< the last step
   std::optional<FluidShown> fluid{};   ///< none: no fluid

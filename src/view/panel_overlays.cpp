@@ -3,6 +3,7 @@
 #include <cmath>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include <fmt/format.h>
 
@@ -114,7 +115,22 @@ void drawBrush(const PanelFrame& frame) {
   list.AddCircle(middle, radius, IM_COL32(255, 255, 255, 220), 0, frame.widgets.px(1));
 }
 
-void drawMessage(PanelFrame& frame) {
+void drawBorder(const PanelFrame& frame) {
+  const std::optional<Hovered>& cell = frame.input.hovered;
+  if (!cell || cell->border.empty() || !ImGui::IsMousePosValid()) return;
+  std::vector<ImVec2> line;
+  line.reserve(cell->border.size());
+  for (const Position& at : cell->border) {
+    line.emplace_back(static_cast<float>(at.x), static_cast<float>(at.y));
+  }
+  ImDrawList& list = *ImGui::GetBackgroundDrawList();
+  const auto count = static_cast<int>(line.size());
+  // Seen on any color.
+  list.AddPolyline(line.data(), count, IM_COL32(0, 0, 0, 160), ImDrawFlags_Closed, frame.widgets.px(4));
+  list.AddPolyline(line.data(), count, IM_COL32(255, 255, 255, 235), ImDrawFlags_Closed, frame.widgets.px(2));
+}
+
+void drawMessage(PanelFrame& frame, const std::string& message, float shows) {
   Widgets& widgets = frame.widgets;
   const PanelInput& input = frame.input;
   const float margin = widgets.px(10), pad = widgets.px(12);
@@ -122,14 +138,16 @@ void drawMessage(PanelFrame& frame) {
   const float room = std::max(widgets.px(80), right - left - 2 * margin);
   ImGui::SetNextWindowPos({std::round((left + right) / 2), static_cast<float>(input.height) - margin},
                           ImGuiCond_Always, {0.5F, 1});
+  ImGui::PushStyleVar(ImGuiStyleVar_Alpha, shows);
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2{pad, widgets.px(6)});
   ImGui::Begin("##message", nullptr, fixed | ImGuiWindowFlags_NoInputs);
   ImGui::PopStyleVar();
   ImGui::PushTextWrapPos(room - pad);
-  ImGui::TextUnformatted(input.message.c_str());
+  ImGui::TextUnformatted(message.c_str());
   ImGui::PopTextWrapPos();
   widgets.note("Message");
   ImGui::End();
+  ImGui::PopStyleVar();
 }
 
 }  // namespace vorpipe::view

@@ -176,6 +176,12 @@ void Viewer::setScale(double scale) {
 
 void Viewer::drawAgain() { want(Changed::sites); }
 
+double Viewer::hintShows() const {
+  constexpr double stays = 8, fades = 1.5;  // seconds
+  if (options_.is_played) return 0;
+  return std::clamp((stays + fades - open_.seconds()) / fades, 0.0, 1.0);
+}
+
 RenderOptions Viewer::picture() const {
   RenderOptions options = settings_.picture;
   const Opened& opened = document_.opened();
@@ -211,6 +217,7 @@ void Viewer::request() {
   if (settings_.backend.name == "auto" && weighs) request.not_cpu = options_.shown_by;
   request.compared = settings_.compared;
   request.motion = pointer_.holdsSite() ? Motion::rests : settings_.motion;
+  request.several_steps = !options_.is_played && request.motion == Motion::runs;
   request.method = settings_.method;
   request.density = density_;
   request.fluid = document_.fluid();

@@ -8,6 +8,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "base/stopwatch.h"
@@ -26,6 +27,10 @@ inline constexpr const char* no_fluid = "There is no fluid; the panel begins one
 /// Message for a fluid that does not flow yet.
 inline constexpr const char* how_to_flow = "Space has it flow, N makes a step, a left drag stirs.";
 
+/// The line of help that fades.
+inline constexpr const char* what_to_do =
+    "A click adds a site, a drag moves it, the wheel zooms, Space relaxes; ? lists the rest.";
+
 struct ViewerOptions {
   Opened opened{};
   Settings settings{};  ///< colors and marks; its domain, outline, period, size and view are ignored
@@ -34,6 +39,7 @@ struct ViewerOptions {
   Load load{};                                      ///< for dropped files
   std::function<void(const std::string&)> copy{};   ///< copies to the clipboard
   std::function<void(const std::string&)> print{};  ///< prints a command line
+  bool is_played = true;  ///< by a script, or for a file: each picture is one step, and time changes nothing
 };
 
 class Viewer {
@@ -78,6 +84,9 @@ class Viewer {
   [[nodiscard]] bool isSettled(std::uint64_t request) const;
   [[nodiscard]] std::uint64_t pictures() const { return pictures_; }
 
+  /// How much of the line that says what to do first is shown, from 1 to 0; it fades after some seconds.
+  [[nodiscard]] double hintShows() const;
+
   [[nodiscard]] bool closes() const { return closes_; }
   /// The error that prevents any picture: no backend works. None if all is well.
   [[nodiscard]] const std::optional<Error>& fault() const { return fault_; }
@@ -110,6 +119,7 @@ class Viewer {
   void publishCommand();
   [[nodiscard]] std::uint32_t ownerAt(Position position) const;
   [[nodiscard]] std::optional<Hovered> hovered() const;
+  [[nodiscard]] std::vector<Position> borderAt(Position position) const;
 
   ViewerOptions options_;
   Document document_;
@@ -133,7 +143,9 @@ class Viewer {
   std::vector<float> history_{};
   std::vector<Stroke> strokes_{};  ///< not yet applied to the fluid
   std::uint64_t last_stroke_ = 0;
-  std::deque<Stopwatch> steps_{};  ///< running since each of the fluid's last steps
+  /// Of the fluid's last pictures: a watch that runs since each, and the number of its step.
+  std::deque<std::pair<Stopwatch, std::uint64_t>> steps_{};
+  Stopwatch open_{};  ///< since when the window is open
   std::vector<DeviceInfo> devices_{};
   std::optional<DeviceInfo> device_{};
   Settings requested_settings_{}, drawn_settings_{};  ///< of the last request, and of the last drawn request

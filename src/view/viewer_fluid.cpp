@@ -81,7 +81,7 @@ bool Viewer::acceptFluid(const Frame& frame) {
   }
   std::erase_if(strokes_, [&](const Stroke& stroke) { return stroke.number <= frame.fluid->stirred; });
   if (frame.flowed) {
-    steps_.emplace_back();
+    steps_.emplace_back(Stopwatch(), frame.fluid->last.step);
     if (steps_.size() > steps_of_mean) steps_.pop_front();
   }
   if (frame.ended) message_ = endText(*frame.ended, frame.fluid->last);
@@ -98,8 +98,9 @@ std::optional<FluidShown> Viewer::fluidShown() const {
   const Opened& opened = document_.opened();
   FluidShown shown{opened.fluid_name, fluid->setup.options, fluid->last};
   if (steps_.size() > 1) {
-    const double seconds = steps_.front().seconds() - steps_.back().seconds();
-    if (seconds > 0) shown.steps_per_second = static_cast<double>(steps_.size() - 1) / seconds;
+    const double seconds = steps_.front().first.seconds() - steps_.back().first.seconds();
+    const auto steps = static_cast<double>(steps_.back().second - steps_.front().second);
+    if (seconds > 0) shown.steps_per_second = steps / seconds;
   }
   if (const auto& position = pointer_.position()) {
     shown.brush =

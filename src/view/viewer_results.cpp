@@ -5,6 +5,7 @@
 #include <iterator>
 #include <utility>
 
+#include "view/cell_border.h"
 #include "view/keys.h"
 #include "view/settings.h"
 #include "view/viewer.h"
@@ -170,8 +171,25 @@ std::optional<Hovered> Viewer::hovered() const {
   if (!pointer_.position() || !measures_ || measures_->sites != document_.sites()) return std::nullopt;
   const std::uint32_t site = ownerAt(*pointer_.position());
   if (site == no_site) return std::nullopt;
-  return Hovered{site, document_.position(site), document_.weight(site), measures_->area[site],
-                 measures_->neighbors[site]};
+  return Hovered{site,
+                 document_.position(site),
+                 document_.weight(site),
+                 measures_->area[site],
+                 measures_->neighbors[site],
+                 borderAt(*pointer_.position())};
+}
+
+/// Returns the line around the cell at a position, in the window.
+std::vector<Position> Viewer::borderAt(Position position) const {
+  const Frame& frame = *seen();
+  const Image& image = frame.rendering->image;
+  const Placement stands = camera_.placementOf(*frame.picture.view);
+  const double across = stands.width / image.width, down = stands.height / image.height;
+  const auto step = [](double at) { return static_cast<int>(std::floor(at)); };
+  std::vector<Position> line =
+      borderAround(image, step((position.y - stands.top) / down), step((position.x - stands.left) / across));
+  for (Position& at : line) at = {stands.left + across * at.x, stands.top + down * at.y};
+  return line;
 }
 
 PanelInput Viewer::panelInput(const std::string& presenter, double present_milliseconds) const {
@@ -190,6 +208,8 @@ PanelInput Viewer::panelInput(const std::string& presenter, double present_milli
   input.devices = devices_;
   input.presenter = presenter;
   input.message = message_;
+  if (!document_.fluid()) input.hint = what_to_do;
+  input.hint_shows = hintShows();
   input.sites = document_.sites()->size();
   input.relaxed = step_;
   input.fluid = fluidShown();

@@ -106,6 +106,9 @@ void drawTip(PanelFrame& frame);          ///< the cell under the pointer, besid
 void drawHelp(PanelFrame& frame);         ///< the list of keys, in the middle of the window
 void drawSplit(const PanelFrame& frame);  ///< the line between the pictures of two backends
 void drawBrush(const PanelFrame& frame);  ///< the circle that stirs a fluid
-void drawMessage(PanelFrame& frame);      ///< at the bottom of the window
+/// `shows` is its opacity.
+void drawMessage(PanelFrame& frame, const std::string& message, float shows);
+/// A line around the cell under the pointer.
+void drawBorder(const PanelFrame& frame);  ///< at the bottom of the window
 
 }  // namespace vorpipe::view

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "vorpipe/cells.h"
+#include "vorpipe/color.h"
 #include "vorpipe/result.h"
 #include "vorpipe/run.h"
 #include "vorpipe/sites.h"
@@ -18,6 +19,11 @@ namespace vorpipe {
 /// In pixels.
 struct PictureSize {
   int width = 0, height = 0;
+};
+
+/// Of a picture on paper, in millimeters.
+struct PaperSize {
+  double width = 0, height = 0;
 };
 
 /// Maximum number of pixels of a side.
@@ -73,11 +79,20 @@ struct RenderOptions {
   /// The region drawn, if it is not the domain: a part of it, or more than it. It clips no cell and changes
   /// no color; pixels beyond the domain have no site. `fit` then applies to the view.
   std::optional<Box> view{};
-  bool fill = true;     ///< cells have colors; else they are white
+  bool fill = true;     ///< cells have colors; else they are white, or show the background
   int antialias = 1;    ///< rows and columns of samples in each pixel, 1 to 8; a pixel gets their mean color
   bool dual = false;    ///< draws lines between sites whose cells share an edge in the domain
   bool labels = false;  ///< draws the index of each site, where there is room for it
-  double label_size = 10;  ///< the height of digits, in pixels, 5 to 200
+  double label_size = 10;             ///< the height of digits, in pixels, 5 to 200
+  std::optional<Color> edge_color{};  ///< opaque; none: nearly black
+  /// Below everything: shows where no cell is, and through cells without fill. None: pixels without a site
+  /// are transparent.
+  std::optional<Color> background{};
+  /// Own colors of the sites, by input order, R in the lowest byte, opaque; `color` must be ColorBy::site
+  /// then. Empty: there are none.
+  std::vector<std::uint32_t> site_colors{};
+  /// Its size on paper, which files have; None: a pixel is 1/96 inch.
+  std::optional<PaperSize> paper{};
 };
 
 /// What the colors of a picture mean.

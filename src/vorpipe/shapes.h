@@ -89,14 +89,36 @@ Result<std::vector<Line>> dualLines(const Sites& sites, const Diagram& cells, co
 Result<std::vector<SiteLabel>> siteLabels(const Sites& sites, const Diagram& cells,
                                           const RenderOptions& options, int threads = 0);
 
-/// Black or white, whichever stands out from a color.
+/// Black or white, whichever stands out from a color; black from one that is mostly transparent.
 std::uint32_t inkOn(std::uint32_t rgba);
 
 /// The margin around a label's digits that separates them from lines, in pixels.
 double labelMargin(const RenderOptions& options);
 
-inline constexpr std::uint32_t edge_color = 0xFF181818u, dual_color = 0xFF1E32E6u, white = 0xFFFFFFFFu,
-                               black = 0xFF000000u;
+inline constexpr std::uint32_t dual_color = 0xFF1E32E6u, white = 0xFFFFFFFFu, black = 0xFF000000u;
+
+inline std::uint32_t edgeColor(const RenderOptions& options) {
+  constexpr Color usual{0xFF181818u};
+  return options.edge_color.value_or(usual).rgba;
+}
+
+/// Whether the background shows through the cells.
+inline bool cellsShowBackground(const RenderOptions& options) { return !options.fill && options.background; }
+
+/// Whether cells are painted in colors of their sites' own.
+inline bool hasOwnColors(const RenderOptions& options) {
+  return options.fill && !options.site_colors.empty();
+}
+
+/// The color behind marks in cells without fill.
+inline std::uint32_t unfilledColor(const RenderOptions& options) {
+  return options.background ? options.background->rgba : white;
+}
+
+/// Color of dots: white, or what stands out from cells without fill.
+inline std::uint32_t dotColor(const RenderOptions& options) {
+  return options.fill ? white : inkOn(unfilledColor(options));
+}
 
 /// Number of pixel rows whose samples are processed together, if each pixel has several.
 inline int rowsAtOnce(int width, int antialias) {

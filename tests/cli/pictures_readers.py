@@ -86,6 +86,9 @@ def around(image, least):
     return np.min(parts, 0) if least else np.max(parts, 0)
 
 
+DARK = [0x18] * 3
+
+
 def check_same_picture(image, scene):
     """Away from edges colors are equal; edges, and what is white of dots, are where the PNG has them."""
     png = read_png("p.png")
@@ -96,9 +99,9 @@ def check_same_picture(image, scene):
     assert share >= 0.97, f"{share:.3f} of the pixels inside of cells are equal"
     assert (difference <= 40).mean() >= 0.9, f"{(difference <= 40).mean():.3f} of all pixels are alike"
     darkest, lightest = around(image, True).max(2), around(image, False).min(2)
-    edges = (png == 0x18).all(2)[1:-1, 1:-1]
+    edges = (png == scene.edge_color).all(2)[1:-1, 1:-1]
     assert edges.any() == scene.edges
-    if edges.any():
+    if edges.any() and scene.edge_color is DARK:
         assert (darkest[edges] < 110).mean() >= 0.97, f"{(darkest[edges] < 110).mean():.3f} of the edges are dark"
     dots = (around(png, True) == 255).all(2) & (png[1:-1, 1:-1] == 255).all(2)
     assert not dots.any() or (lightest[dots] > 230).mean() >= 0.97, "there are dots, or holes, missing"
@@ -120,6 +123,17 @@ def python_svg(scene):
     root = xml.etree.ElementTree.parse("p.svg").getroot()
     ids = np.load("p.npy")
     assert (root.get("width"), root.get("height")) == tuple(str(n) for n in ids.shape[::-1])
+    layers = [layer.get("id") for layer in root.findall(svg + "g")]
+    order = ["background", "cells", "edges", "dual", "sites", "labels", "legend"]
+    assert layers == [name for name in order if name in layers] and "cells" in layers, layers
+    assert ("edges" in layers) == scene.edges
+    inkscape = "{http://www.inkscape.org/namespaces/inkscape}"
+    assert all(layer.get(inkscape + "groupmode") == "layer" for layer in root.findall(svg + "g"))
+    cells = [path for path in root.iter(svg + "path") if path.get("id")]
+    assert len({path.get("id") for path in cells}) == len(cells)
+    for path in cells:
+        site = path.get("id").split("-")[1]
+        assert path.find(svg + "title").text.startswith(f"site {site}, "), path.get("id")
     named = {int(title.text.split(",")[0][len("site ") :]) for title in root.iter(svg + "title")}
     shown = set(ids[ids != 2**32 - 1].tolist())
     assert shown <= named, f"{sorted(shown - named)} have no shape"
@@ -134,6 +148,10 @@ def poppler_pdf(scene):
     if scene.legend:
         words = program("pdftotext", "p.pdf", "-").split()
         assert scene.legend_word in [word.strip(",") for word in words], words
+    fonts = program("pdffonts", "p.pdf").splitlines()[2:]
+    assert len(fonts) == scene.text, fonts
+    # emb, sub, uni: embedded, a subset, and its letters can be searched for.
+    assert all(font.split()[-5:-2] == ["yes", "yes", "yes"] for font in fonts), fonts
     return None
 
 
@@ -208,8 +226,22 @@ class Scene:
         self.domain = domain
         self.options = ["--sites", sites, *options]
         self.edges, self.legend = "--edges" in options, "--legend" in options
+        self.edge_color = [255, 0, 0] if "--edge-color" in options else DARK
         self.text = self.legend or "--labels" in options
         self.legend_word = options[options.index("--color") + 1] if self.legend else None
+
+
+def photograph():
+    """A photograph that changes slowly, beside the pictures."""
+    y, x = np.mgrid[0:60, 0:90]
+    rgb = np.stack([40 + 2 * x, 30 + 3 * y, 200 - x - y], 2).astype(np.uint8)
+    rows = b"".join(b"\0" + row.tobytes() for row in rgb)
+    with open("photograph.png", "wb") as file:
+        file.write(b"\x89PNG\r\n\x1a\n")
+        header = struct.pack(">IIBBBBB", 90, 60, 8, 2, 0, 0, 0)
+        for kind, data in ((b"IHDR", header), (b"IDAT", zlib.compress(rows)), (b"IEND", b"")):
+            file.write(struct.pack(">I", len(data)) + kind + data + struct.pack(">I", zlib.crc32(kind + data)))
+    return "photograph.png"
 
 
 def scenes(islands):
@@ -225,6 +257,11 @@ def scenes(islands):
     yield Scene("random:60", *size, "--edges", *smooth, "--labels")
     yield Scene("random:40", *size, *smooth, "--no-fill", "--periodic", "xy")
     yield Scene("random:60", "--domain", islands, "--edges", *smooth, "--size", "300x200", domain=box)
+    yield Scene("random:60", *size, "--color", photograph(), "--edges", "--edge-width", "3", "--labels", "--dual")
+    yield Scene("random:60", "--domain", islands, *smooth, "--color", photograph(), "--size", "300x200", domain=box)
+    colored = ["--edges", "--edge-color", "red", "--edge-width", "3", "--size", "300x200"]
+    yield Scene("random:60", "--domain", islands, *colored, "--background", "#2040a080", domain=box)
+    yield Scene("random:60", *colored, "--no-fill", "--background", "black", "--fit", "letterbox", "--show-sites")
 
 
 def main():

@@ -43,6 +43,12 @@ for number in 0000 0002 0004; do
 done
 [ -e out/way-0003.csv ] && fail "a number that was not asked for"
 cmp -s out/way.csv out/way-0004.csv || fail "the last numbered file is another"
+succeeds "frames" relax --backend cpu --sites random:50 --iterations 4 --frames out/film --size 50 --edges --stats out/film.json
+[ "$(ls out/film | wc -l)" -eq 5 ] || fail "not a picture of each diagram"
+succeeds "the first picture" render --backend cpu --sites random:50 --size 50 --edges -o out/first.png
+cmp -s out/film/frame-00001.png out/first.png || fail "the first frame is another picture"
+succeeds "the last picture" relax --backend cpu --sites random:50 --iterations 4 --picture out/last.png --size 50 --edges
+cmp -s out/film/frame-00005.png out/last.png || fail "the last frame is another picture"
 run 0 relax --backend cpu --sites random:5 --iterations 1 -o -
 [ "$(wc -l <log/out)" -eq 6 ] || fail "standard output has not the sites"
 
@@ -62,6 +68,8 @@ wrong() {
 wrong "nothing to write" "-o: name what to write" --sites random:9
 wrong "a picture as sites" "--picture out/old.png" --sites random:9 -o out/old.png
 wrong "cells as sites" "--cells out/old.npz" --sites random:9 -o out/old.npz
+mkdir -p in/full && touch in/full/a
+wrong "frames among others" "--frames: in/full" --sites random:9 --frames in/full
 wrong "numbers of nothing" "--save-every: there is no" --sites random:9 --save-every 2 --trace out/old.csv
 wrong "a number that the trace has" "t-0001.csv: is the same output file as" --sites random:9 --iterations 3 \
   --save-every 1 -o in/t.csv --trace in/t-0001.csv

@@ -56,6 +56,106 @@ cmp -s out/legend.npy out/marks.npy || fail "ids depend on what is drawn over th
 succeeds "marks for print" render --backend cpu --sites clusters:300 --size 200 --edges --dual --labels --label-size 6 --no-fill \
   --antialias 3 --edge-width 1.5 --ids out/print.npy -o out/print.png --check
 cmp -s out/legend.npy out/print.npy || fail "ids depend on what is drawn over the cells"
+# -- Colors of edges, and of what is no cell ------------------------------------------------------------
+cat >in/pixels.py <<'E'
+"""pixels.py FILE.png COLUMN,ROW=R,G,B,A...: what PIL has there."""
+import sys
+from PIL import Image
+image = Image.open(sys.argv[1]).convert("RGBA")
+for place in sys.argv[2:]:
+    at, wanted = place.split("=")
+    got = image.getpixel(tuple(int(n) for n in at.split(",")))
+    assert got == tuple(int(n) for n in wanted.split(",")), (place, got)
+E
+printf 'x,y\n0.25,0.5\n0.75,0.5\n' >in/two.csv
+for backend in $("$vorpipe" devices --json | grep -o '"backend": "[a-z-]*"' | cut -d'"' -f4 | sort -u); do
+  for smooth in 1 3; do
+    succeeds "colors on $backend" render --backend "$backend" --sites in/two.csv --domain 0,0,1,1 --size 200x100 --fit letterbox \
+      --edges --edge-color '#f80' --edge-width 4 --no-fill --background '#20408080' --antialias $smooth -o out/colors.png
+    /usr/bin/python3 in/pixels.py out/colors.png 10,50=32,64,128,128 80,50=32,64,128,128 99,50=255,136,0,255 2>log/err ||
+      fail "colors on $backend with --antialias $smooth"
+  done
+done
+succeeds "an opaque background" render --backend cpu --sites in/two.csv --domain 0,0,1,1 --size 200x100 --fit letterbox \
+  --background STEELBLUE -o out/colors.png --stats out/colors.json
+/usr/bin/python3 in/pixels.py out/colors.png 10,50=70,130,180,255 80,50=68,1,84,255 2>log/err || fail "an opaque background"
+succeeds "it again" rerun out/colors.json
+refuses "a color that is none" '--background: "reddish" is no color' --sites random:9 --background reddish
+refuses "the color of no edges" "--edge-color" --sites random:9 --edge-color red
+refuses "edges that show through" "edge color #ff000080: must be opaque" --sites random:9 --edges --edge-color '#ff000080'
+# -- Photographs ----------------------------------------------------------------------------------------
+/usr/bin/python3 - <<'E' || fail "no photographs"
+from PIL import Image
+photograph = Image.new("RGB", (40, 20), (200, 40, 40))
+photograph.paste((20, 60, 180), (20, 0, 40, 20))
+photograph.save("in/halves.png")
+photograph.save("in/halves.jpg", quality=100, subsampling=0)
+turned = Image.Exif()
+turned[0x112] = 3  # by half a turn
+photograph.save("in/turned.jpeg", quality=100, subsampling=0, exif=turned.tobytes())
+Image.new("L", (40, 20), 51).save("in/gray.jpg", quality=100)
+Image.new("L", (40, 20), 51).save("in/gray.png")
+data = open("in/halves.jpg", "rb").read()
+open("in/half.jpg", "wb").write(data[: len(data) // 2])
+open("in/none.jpg", "wb").write(b"GIF89a")
+open("in/empty.jpg", "wb").write(b"")
+E
+glass="--sites in/two.csv --domain 0,0,1,1 --size 40x20 --fit stretch"
+for kind in halves.png halves.jpg; do
+  succeeds "colors of $kind" render --backend cpu $glass --color in/$kind -o out/glass.png --stats out/glass.json
+  /usr/bin/python3 in/pixels.py out/glass.png 5,10=200,40,40,255 35,10=20,60,180,255 2>log/err || fail "the colors of $kind"
+  succeeds "the colors again" rerun out/glass.json
+done
+succeeds "the other half" render --backend cpu $glass --color in/turned.jpeg -o out/glass.png
+/usr/bin/python3 in/pixels.py out/glass.png 5,10=20,60,180,255 35,10=200,40,40,255 2>log/err || fail "the orientation is not honoured"
+succeeds "beside it" render --backend cpu $glass --color in/halves.png --color-box 0,0,0.5,1 -o out/glass.png --quiet
+/usr/bin/python3 in/pixels.py out/glass.png 35,10=255,255,255,255 2>log/err || fail "cells beyond a photograph are not white"
+# Red and blue in equal parts: the mean of their light.
+/usr/bin/python3 in/pixels.py out/glass.png 5,10=147,51,134,255 2>log/err || fail "the mean is not that of light"
+for kind in gray.png gray.jpg; do
+  succeeds "the density of $kind" cells --backend cpu --sites random:9 --domain 0,0,2,1 --density in/$kind -o out/$kind.csv
+done
+cmp -s out/gray.png.csv out/gray.jpg.csv || fail "a JPEG has another darkness than a PNG"
+refuses "a photograph that ends early" "in/half.jpg: is a damaged JPEG: " --sites random:9 --color in/half.jpg
+refuses "a photograph that is none" "--color: in/none.jpg: is not a JPEG file" --sites random:9 --color in/none.jpg
+refuses "an empty photograph" "--color: in/empty.jpg: is not a JPEG file" --sites random:9 --color in/empty.jpg
+refuses "no photograph" "--color: in/no.png: " --sites random:9 --color in/no.png
+refuses "a photograph elsewhere" "nothing of the domain" --sites random:9 --color in/halves.png --color-box 5,5,6,6
+refuses "a box of nothing" "--color-box" --sites random:9 --color-box 0,0,1,1
+refuses "a legend of a photograph" "--legend: colors of a photograph stand for no values" --sites random:9 --color in/halves.png --legend
+refuses "no room for colors" "--color: cells have no colors with --no-fill" --sites random:9 --color in/halves.png --no-fill
+
+# -- Sizes on paper -------------------------------------------------------------------------------------
+paper="render --backend cpu --sites random:30 --domain 0,0,420,594 --size 420x594mm --edges --labels"
+succeeds "a poster" $paper --dpi 96 -o out/poster.png -o out/poster.svg -o out/poster.pdf --stats out/poster.json
+expect "1587x2245"
+cat >in/paper.py <<'E'
+"""paper.py NAME DPI: what others say of the sizes of NAME.png, .svg and .pdf; prints the width of edges in mm."""
+import re, subprocess, sys, xml.etree.ElementTree
+from PIL import Image
+name, dpi = sys.argv[1], float(sys.argv[2])
+image = Image.open(name + ".png")
+assert all(abs(got - dpi) < 0.1 for got in image.info["dpi"]), image.info
+assert all(abs(n / dpi * 25.4 - mm) < 25.4 / dpi for n, mm in zip(image.size, (420, 594))), image.size
+root = xml.etree.ElementTree.parse(name + ".svg").getroot()
+assert (root.get("width"), root.get("height")) == ("420mm", "594mm"), root.attrib
+assert root.get("viewBox") == "0 0 {} {}".format(*image.size), root.attrib
+info = subprocess.run(["pdfinfo", name + ".pdf"], capture_output=True, text=True, check=True).stdout
+size = [float(n) for n in re.search(r"Page size: +([0-9.]+) x ([0-9.]+) pts", info).groups()]
+assert all(abs(points - mm * 72 / 25.4) < 0.01 for points, mm in zip(size, (420, 594))), size
+edges = next(group for group in root if group.get("id") == "edges")
+print(round(float(edges.get("stroke-width")) / image.size[0] * 420, 4))
+E
+width=$(/usr/bin/python3 in/paper.py out/poster 96 2>log/err) || fail "the poster has another size"
+succeeds "it again, from its figures" rerun out/poster.json
+succeeds "a finer poster" $paper --dpi 200 -o out/poster.png -o out/poster.svg -o out/poster.pdf --quiet
+[ "$(/usr/bin/python3 in/paper.py out/poster 200 2>log/err)" = "$width" ] || fail "edges have another width with other dots"
+succeeds "the longer side in inches" render --backend cpu --sites random:9 --size 2in --domain 0,0,2,1 -o out/inches.png
+expect "600x300"
+refuses "dots of a screen" "--dpi: is for a --size on paper" --sites random:9 --size 300 --dpi 300
+refuses "a poster for a wall" "--size: 9000 mm with --dpi 300 are 106299 pixels; a side has at most 32768" --sites random:9 --size 9x9000mm
+refuses "no length" "--size: \"x\" is not" --sites random:9 --size 10xxmm
+refuses "wide edges" "--edge-width: 60 with --dpi 300 is 187.5 pixels; 100 are the most" --sites random:9 --size 10mm --edges --edge-width 60
 refuses "places by the dozen" "--antialias: \"12\" is not a whole number from 1 to 8" --sites random:9 --antialias 12
 refuses "a width of nothing" "--edge-width: needs --edges or --dual" --sites random:9 --edge-width 2
 refuses "a legend of white" "--legend: cells have no colors with --no-fill" --sites random:9 --color area --legend --no-fill

@@ -58,6 +58,23 @@ static void keys(vorpipe_session* session, const vorpipe_input* input) {
   vorpipe_picture_free(picture);
 }
 
+/* Colors by their names. */
+static void colors(vorpipe_session* session, const vorpipe_input* input) {
+  vorpipe_render_options options = {sizeof options};
+  vorpipe_picture* picture = NULL;
+  vorpipe_array a;
+  options.width = options.height = 20;
+  options.no_fill = 1;
+  options.background = "#12345678";
+  DONE(vorpipe_render(session, input, &options, &picture));
+  DONE(vorpipe_picture_array(picture, VORPIPE_PICTURE_RGBA, &a));
+  PROMISE(memcmp(a.data, "\x12\x34\x56\x78", 4) == 0);
+  vorpipe_picture_free(picture);
+  picture = NULL;
+  options.edge_color = "reddish";
+  REFUSED(VORPIPE_INPUT, "edge_color", vorpipe_render(session, input, &options, &picture));
+}
+
 /* What is drawn over cells, and smooth edges of them: ids stay. */
 static void marks(vorpipe_session* session, const vorpipe_input* input) {
   vorpipe_render_options options = {sizeof options};
@@ -171,6 +188,7 @@ void looks_promises(vorpipe_session* session) {
   DONE(vorpipe_input_read("random:100", 1, &input));
   keys(session, input);
   marks(session, input);
+  colors(session, input);
   views(session, input);
   shapes(session, input);
   places(session);

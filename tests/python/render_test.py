@@ -1,4 +1,6 @@
 """What `render` promises, from every backend."""
+import pickle
+
 import numpy as np
 import pytest
 
@@ -94,6 +96,95 @@ def test_edges_and_dots_are_as_wide_as_they_are_asked_for():
 
     assert dark(edges=True, edge_width=10) > 4 * dark(edges=True) > 0
     assert dark(show_sites=True, dot_size=20) > 4 * dark(show_sites=True, dot_size=5) > 0
+
+
+def test_edges_and_what_is_no_cell_have_the_colors_that_are_asked_for():
+    arguments = {'domain': (0, 0, 1, 1), 'size': (200, 100), 'fit': 'letterbox'}
+    points = [[0.25, 0.5], [0.75, 0.5]]
+    picture = vorpipe.render(points, edges=True, edge_color='#f80', background='#20408080', fill=False, **arguments)
+    assert picture.rgba[50, 10].tolist() == picture.rgba[50, 80].tolist() == [32, 64, 128, 128]
+    assert (picture.rgba == [255, 136, 0, 255]).all(axis=2).sum() >= 100
+    assert (pickle.loads(pickle.dumps(picture)).rgba == picture.rgba).all()
+    for argument, text in {'edge_color': 'reddish', 'background': '#12'}.items():
+        with pytest.raises(vorpipe.InputError, match=f'^{argument}: "{text}" is no color') as caught:
+            vorpipe.render(points, edges=True, **{argument: text}, **arguments)
+        assert caught.value.subject == argument
+    with pytest.raises(vorpipe.InputError, match='^edge_color: #ff000080: must be opaque'):
+        vorpipe.render(points, edges=True, edge_color='#ff000080')
+
+
+def test_a_photograph_colors_cells_by_the_mean_of_their_light(tmp_path):
+    image = pytest.importorskip('PIL.Image')
+    pixels = np.random.default_rng(5).integers(0, 256, (60, 90, 3), np.uint8)
+    image.fromarray(pixels).save(tmp_path / 'p.png')
+    arguments = {'domain': (0, 0, 1, 1), 'size': (90, 60)}
+    for points in vorpipe.generate('random', 40), np.vstack([vorpipe.generate('random', 9), [[0.5, 0.5], [0.5, 0.5]]]):
+        picture = vorpipe.render(points, color=str(tmp_path / 'p.png'), **arguments)
+        value = pixels / 255
+        light = np.where(value <= 0.04045, value / 12.92, ((value + 0.055) / 1.055) ** 2.4)
+        for site in np.unique(picture.ids):
+            mean = light[picture.ids == site].mean(axis=0)
+            wanted = 255 * np.where(mean <= 0.0031308, 12.92 * mean, 1.055 * mean ** (1 / 2.4) - 0.055)
+            got = picture.rgba[picture.ids == site]
+            assert (got == got[0]).all() and np.abs(got[0, :3] - wanted).max() <= 1 and got[0, 3] == 255
+        assert (picture.ids == vorpipe.render(points, **arguments).ids).all()
+        assert (pickle.loads(pickle.dumps(picture)).rgba == picture.rgba).all()
+
+
+def test_cells_without_a_pixel_have_the_one_at_their_site(tmp_path):
+    image = pytest.importorskip('PIL.Image')
+    pixels = np.random.default_rng(6).integers(0, 256, (3, 4, 3), np.uint8)
+    image.fromarray(pixels).save(tmp_path / 'p.png')
+    points = vorpipe.generate('random', 500)
+    picture = vorpipe.render(points, color=str(tmp_path / 'p.png'), domain=(0, 0, 1, 1), size=(200, 200))
+    column, row = (points[:, 0] * 4).astype(int), ((1 - points[:, 1]) * 3).astype(int)
+    same = (picture.rgba[..., :3] == pixels[row, column][picture.ids]).all(axis=2)
+    centers = [((c + 0.5) / 4, 1 - (r + 0.5) / 3) for c in range(4) for r in range(3)]
+    owners = vorpipe.cells(points, domain=(0, 0, 1, 1)).locate(centers)
+    assert same[~np.isin(picture.ids, owners)].all() and not same.all()
+
+
+@pytest.mark.parametrize('orientation', range(1, 9))
+def test_photographs_stand_as_their_cameras_say(orientation, tmp_path):
+    image = pytest.importorskip('PIL.Image')
+    from PIL import ImageOps
+    stored = image.new('RGB', (64, 32))
+    for place, color in {(0, 0): 'red', (32, 0): 'lime', (0, 16): 'blue', (32, 16): 'yellow'}.items():
+        stored.paste(color, (*place, place[0] + 32, place[1] + 16))
+    exif = image.Exif()
+    exif[0x112] = orientation
+    stored.save(tmp_path / 'p.jpg', quality=100, subsampling=0, exif=exif.tobytes())
+    upright = np.asarray(ImageOps.exif_transpose(image.open(tmp_path / 'p.jpg')).convert('RGB'))
+    points = [[0.25, 0.75], [0.75, 0.75], [0.25, 0.25], [0.75, 0.25]]
+    picture = vorpipe.render(points, color=str(tmp_path / 'p.jpg'), domain=(0, 0, 1, 1), size=(64, 64))
+    for x, y in points:
+        seen = picture.rgba[int((1 - y) * 64), int(x * 64), :3].astype(int)
+        stands = upright[int((1 - y) * upright.shape[0]), int(x * upright.shape[1])].astype(int)
+        assert np.abs(seen - stands).max() <= 3, (x, y)
+
+
+def test_photographs_in_inks_and_grays_are_read(tmp_path):
+    image = pytest.importorskip('PIL.Image')
+    for mode, color in {'CMYK': (40, 100, 0, 30), 'L': 77}.items():
+        image.new(mode, (8, 8), color).save(tmp_path / 'p.jpg', quality=100)
+        picture = vorpipe.render([[0.5, 0.5]], color=str(tmp_path / 'p.jpg'), domain=(0, 0, 1, 1), size=(2, 2))
+        wanted = image.open(tmp_path / 'p.jpg').convert('RGB').getpixel((4, 4))
+        assert np.abs(picture.rgba[0, 0, :3].astype(int) - wanted).max() <= 2, mode
+
+
+def test_a_photograph_that_cannot_be_is_refused(tmp_path):
+    (tmp_path / 'p.jpg').write_bytes(b'GIF89a')
+    with pytest.raises(vorpipe.InputError, match='^color: .*p.jpg: is not a JPEG file') as caught:
+        vorpipe.render([[0.5, 0.5]], color=str(tmp_path / 'p.jpg'))
+    assert caught.value.subject == 'color'
+
+
+def test_css_names_are_those_of_matplotlib():
+    colors = pytest.importorskip('matplotlib.colors')
+    assert len(colors.CSS4_COLORS) == 148
+    for name, written in colors.CSS4_COLORS.items():
+        picture = vorpipe.render([[0.5, 0.5]], domain=(0, 0, 1, 1), size=(1, 1), fill=False, background=name)
+        assert '#{:02X}{:02X}{:02X}'.format(*picture.rgba[0, 0, :3]) == written, name
 
 
 def test_a_letterbox_keeps_the_aspect():

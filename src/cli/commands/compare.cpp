@@ -166,7 +166,7 @@ Result<RenderOptions> pictureBeside(const std::optional<Reference>& reference, c
     return options.width == width && options.height == height;
   };
   if (fits(usual)) return usual;
-  if (picture.size.sides || picture.size.longer_side > 0) {
+  if (picture.size.sides || picture.size.paper || picture.size.longer_side > 0) {
     return inputError(fmt::format("--reference: {} is {}x{}, with this --size pictures are {}x{}",
                                   reference->path, width, height, usual.width, usual.height));
   }
@@ -192,8 +192,8 @@ Result<ExitCode> compare(const CompareCommand& command, const Invocation& how) {
   std::vector<std::string> paths{command.report, command.png};
   std::erase(paths, "");
   CommandRun run("compare", command, how, std::move(paths));
-  VORPIPE_LET(input, run.load(command.input, std::bind_front(planCompare, std::cref(command),
-                                                             sizeBefore(command.picture.size))));
+  VORPIPE_LET(input, run.load(command.input,
+                              std::bind_front(planCompare, std::cref(command), sizeBefore(command.picture))));
   VORPIPE_VAR(reference, loadReference(command, input));
   VORPIPE_VAR(options, pictureBeside(reference, command, input));
   options.search = command.search;

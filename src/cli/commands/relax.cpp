@@ -61,18 +61,26 @@ Result<Relaxed> relaxSites(const RelaxCommand& command, SitesRun& run) {
   ProgressBar bar(command.talk.quiet);
   const std::uint64_t every = command.targets.every, iterations = command.options.iterations;
   const auto whole = static_cast<double>(std::max<std::uint64_t>(iterations, 1));
+  VORPIPE_LET(film, run.openFrames());
   VORPIPE_VAR(relaxation, Relaxation::begin(*run.session, run.input->sites, relaxOptions(command, run)));
   Result<bool> more = true;
   while (more && *more) {
     const std::uint64_t diagram = relaxation.trace().back().diagram;
     bar.show(progressText(diagram, lastTaken(relaxation.trace()), iterations),
              static_cast<double>(diagram) / whole);
+    if (film) {
+      VORPIPE_TRY(
+          run.frameOf(relaxation.sites()).and_then([&](const Image& image) { return film->add(image); }));
+    }
     if (every > 0 && diagram % every == 0) {
       VORPIPE_TRY(run.writeNumbered(relaxation.sites(), diagram));
     }
     more = relaxation.step();
   }
   if (!more) return tl::unexpected(more.error());
+  if (film) {
+    VORPIPE_TRY(film->finish());
+  }
   return Relaxed{relaxation.sites(), relaxation.trace(), relaxation.end(), relaxation.report()};
 }
 
@@ -118,7 +126,9 @@ Result<void> writeFiles(const RelaxCommand& command, SitesRun& run, const Relaxe
 
 /// Rejects options that nothing uses, and sets the format of standard output.
 Result<void> checkCommand(RelaxCommand& command, const SitesRun& run) {
-  VORPIPE_TRY(run.needsOutput("sites.csv", "--cells, --picture, --trace or --stats"));
+  if (command.targets.frames.empty()) {
+    VORPIPE_TRY(run.needsOutput("sites.csv", "--cells, --picture, --frames, --trace or --stats"));
+  }
   if (command.options.equal_masses && command.density.empty()) {
     return inputError("--equal-masses: is for a --density; without one masses are areas");
   }

@@ -45,6 +45,7 @@ ImagesFor imagesOf(const RenderCommand& command) {
 void planRender(const RenderCommand& command, const RenderOptions& options, MemoryPlan& plan,
                 const Workload& work) {
   planSession(plan, work);
+  planColors(plan, work, command.picture);
   planDrawing(plan, work, options, needsOf(command.files), command.check);
   if (command.files.ids.format != nullptr) {
     planIdsFile(plan, work, *command.files.ids.format, {options.width, options.height});
@@ -91,18 +92,20 @@ Result<ExitCode> render(RenderCommand& command, const Invocation& how) {
   CommandRun run("render", command, how, pathsOf(command.files));
   VORPIPE_TRY(run.needsOutput("picture.png", "--stats or --check"));
   RenderOptions options = command.picture.render;
-  const PictureSize known = sizeBefore(command.picture.size);
+  const PictureSize known = sizeBefore(command.picture);
   options.width = known.width;
   options.height = known.height;
   const PlanRun plan = std::bind_front(planRender, std::cref(command), std::cref(options));
-  VORPIPE_LET(input, run.load(command.input, plan));
+  VORPIPE_VAR(input, run.load(command.input, plan));
   VORPIPE_VAR(complete, pictureOf(command.picture, command.input, input));
   options = std::move(complete);
   options.search = command.search;
+  VORPIPE_LET(photograph, photographOf(command.picture, command.input, input));
   const int threads = command.backend.threads;
   VORPIPE_TRY(checkInput(command.input, input, cellsOptions(options), threads));
   VORPIPE_TRY(checkSurface(command, input.sites, options));
   VORPIPE_TRY(run.begin(command.input, input, imagesOf(command), plan));
+  VORPIPE_TRY(takeColors(photograph, input.sites, threads, options));
   ProgressBar bar(command.talk.quiet);
   options.progress = bar.callback();
   const auto drawing = draw(command.surface, *run.session, input.sites, options, needsOf(command.files));
@@ -137,7 +140,7 @@ void addRender(CommandLine& line) {
   addPictureFiles(options, command->files);
   options.group("Picture");
   addSizeOptions(options, command->picture);
-  addColorOptions(options, command->picture.render);
+  addColorOptions(options, command->picture);
   addMarkOptions(options, command->picture);
   addSurface(options, command->surface, surface_text);
   addCommonOptions(options, *command,

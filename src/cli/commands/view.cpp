@@ -157,6 +157,13 @@ Result<view::AppOptions> appOf(const ViewCommand& command) {
   options.viewer.opened = std::move(opened);
   options.viewer.settings.picture = command.picture.render;
   options.viewer.settings.cells = !command.picture.no_fill;
+  // Where there are more, dots hide their cells.
+  constexpr std::size_t most_with_dots = 2000;
+  const bool is_played = !command.script.empty() || !command.record.empty() || !command.screenshot.empty();
+  if (!is_played && !isFluid(command) && options.viewer.opened.sites.size() <= most_with_dots) {
+    options.viewer.settings.picture.show_sites = true;
+  }
+  options.viewer.is_played = is_played;
   // A screenshot has no panel, so the picture must not make room for one.
   options.viewer.settings.panel = command.screenshot.empty();
   options.viewer.settings.backend = command.backend;

@@ -14,15 +14,25 @@ namespace vorpipe::cli {
 struct SizeChoice {
   std::optional<PictureSize> sides;
   int longer_side = 0;  ///< 0: not given
+  /// On paper, in millimeters, instead; `height` is 0 where only the longer side is given.
+  std::optional<PaperSize> paper{};
 };
 
-/// `WxH` or `N`, 1 to largest_side each.
+/// `WxH` or `N`, 1 to largest_side each; or a length on paper with mm, cm or in, as `420x594mm`.
 Parsed<SizeChoice> parseSizeChoice(std::string_view text);
+
+/// The value of --color where a photograph gives the colors.
+struct PhotographChoice {
+  std::string file;        ///< empty: none
+  std::optional<Box> box;  ///< where its pixels lie
+};
 
 /// Options of pictures that several subcommands share.
 struct PictureOptions {
   RenderOptions render{};
   SizeChoice size;
+  double dpi = 300;  ///< pixels per inch of a size on paper
+  PhotographChoice photograph;
   std::optional<Fit> fit;
   std::set<std::string_view> given;  ///< names of given numbers of picture_rows
   bool no_fill = false;
@@ -36,6 +46,8 @@ Option addFitOption(Options& options, std::optional<Fit>& fit);
 Option addViewOption(Options& options, std::optional<Box>& view);
 /// --color, --colormap, --color-scale, --color-range, --legend
 void addColorOptions(Options& options, RenderOptions& picture);
+/// The same, and --color FILE with --color-box.
+void addColorOptions(Options& options, PictureOptions& picture);
 /// The options of picture_rows, and --no-fill.
 void addMarkOptions(Options& options, PictureOptions& picture);
 /// Error (input): a number is given that draws nothing without a flag.
@@ -43,7 +55,13 @@ Result<void> checkMarks(const PictureOptions& picture);
 /// All of these, in a group of their own.
 void addPictureGroup(Options& options, PictureOptions& picture);
 
-/// Returns the size if it is known before the sites are read; else 1 x 1.
-PictureSize sizeBefore(const SizeChoice& size);
+/// Error (input): --dpi without a size on paper, or more pixels than a picture can have.
+Result<void> checkPaper(const PictureOptions& picture);
+
+/// Returns the size if it is known before the sites are read; else a lower bound of it.
+PictureSize sizeBefore(const PictureOptions& picture);
+
+/// Returns the size of a picture of `shown`.
+PictureSize sizeOf(const PictureOptions& picture, const Box& shown);
 
 }  // namespace vorpipe::cli

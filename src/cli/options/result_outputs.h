@@ -25,6 +25,7 @@ struct ResultTargets {
   std::vector<CellsTarget> cells;
   std::vector<PictureFile> pictures;
   std::string trace;        ///< empty: not requested
+  std::string frames;       ///< a film or a folder, with a picture of each diagram; empty: not requested
   std::uint64_t every = 0;  ///< diagrams between two numbered files of each; 0: no numbered files
 
   /// Returns the paths of sites, cells and pictures, in the order in which they are created; the trace comes
@@ -42,7 +43,7 @@ struct ResultTargets {
 
 /// -o, --cells, --picture; `sites` describes the contents of -o.
 void addResultTargets(Options& options, ResultTargets& targets, std::string_view sites);
-/// The same, and --trace and --save-every.
+/// The same, and --trace, --save-every and --frames.
 void addRelaxTargets(Options& options, ResultTargets& targets);
 
 /// Sets the format of standard output: that of --format, or csv. Also rejects contradictions. Errors (input):

@@ -7,6 +7,7 @@
 #include <string>
 #include <string_view>
 #include <type_traits>
+#include <utility>
 
 #include "base/option_rows.h"
 #include "base/try.h"
@@ -42,6 +43,11 @@ Parsed<Number> parseOf(const NumberRow<Struct, Number>& row, std::string_view te
     return tl::unexpected(
         fmt::format("{} is not a number of{} from {} to {}", number, row.unit, row.least_given, row.most));
   }
+}
+
+template <class Struct>
+Parsed<Color> parseOf(const ColorRow<Struct>& /*row*/, std::string_view text) {
+  return readColor(text).map_error([](Error error) { return std::move(error.message); });
 }
 
 template <class Struct>

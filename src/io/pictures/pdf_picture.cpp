@@ -9,6 +9,7 @@
 #include "base/try.h"
 #include "io/base/print.h"
 #include "io/pictures/deflate.h"
+#include "io/pictures/pdf_font.h"
 #include "io/pictures/vector_picture.h"
 
 // PDF Reference, third edition (1.4): 3.4 (the file), 4.3 and 4.4 (drawing), 5.2 and 5.3 (text).
@@ -107,6 +108,7 @@ constexpr std::string_view dot_name = "/Dot", font_name = "/Font";
 std::string opacityName(std::uint32_t rgba) { return fmt::format("/Alpha{}", rgba >> 24); }
 
 Result<void> writeCells(ByteSink& page, Bytes& text, const VectorPicture& picture) {
+  if (picture.cellsShowBackground()) return {};
   printLength(text, VectorPicture::seam_width, "w");
   std::uint32_t last = 0;
   return picture.eachCell([&](std::size_t site, const Lines& rings) {
@@ -123,7 +125,7 @@ Result<void> writeCells(ByteSink& page, Bytes& text, const VectorPicture& pictur
 }
 
 Result<void> writeEdges(ByteSink& page, Bytes& text, const VectorPicture& picture) {
-  printColor(text, edge_color, "RG");
+  printColor(text, picture.edgeColor(), "RG");
   printLength(text, picture.edgeWidth(), "w");
   VORPIPE_TRY(picture.eachEdge([&](const Lines& lines) {
     printLines(text, lines, /*closed=*/false);
@@ -161,52 +163,34 @@ Result<void> writeDots(ByteSink& page, Bytes& text, const VectorPicture& picture
   return {};
 }
 
-/// Returns the width of printable ASCII text in Helvetica, in the unit of the font size.
-double textWidth(const std::string& text, double font_size) {
-  // Adobe's font metrics of Helvetica, in thousandths, from the space to the tilde.
-  constexpr std::array<std::uint16_t, 95> widths = {
-      278, 278, 355, 556, 556, 889, 667, 191, 333, 333, 389, 584, 278, 333,  278, 278, 556, 556, 556,
-      556, 556, 556, 556, 556, 556, 556, 278, 278, 584, 584, 584, 556, 1015, 667, 667, 722, 722, 667,
-      611, 778, 722, 278, 500, 667, 556, 833, 722, 778, 667, 778, 722, 667,  611, 722, 667, 944, 667,
-      667, 611, 278, 278, 278, 469, 556, 333, 556, 556, 500, 556, 556, 278,  556, 556, 222, 222, 500,
-      222, 833, 556, 556, 556, 556, 333, 500, 278, 556, 500, 722, 500, 500,  500, 334, 260, 334, 584};
-  constexpr double thousandth = 1e-3;
-  double width = 0;
-  for (const char letter : text) {
-    const auto index = static_cast<std::size_t>(static_cast<unsigned char>(letter) - ' ');
-    if (index < widths.size()) width += widths[index];
-  }
-  return width * thousandth * font_size;
-}
-
-void printText(Bytes& text, const LegendText& line) {
-  const double size = fontSize(line.height), width = textWidth(line.text, size);
+void printText(Bytes& text, const PdfFont& font, const LegendText& line) {
+  const double size = line.height / PdfFont::capital_height, width = size * font.widthOf(line.text);
   const double left = line.x - (line.anchor == Anchor::start ? 0
                                 : line.anchor == Anchor::end ? width
                                                              : width / 2);
   // The page's y goes downward, but that of letters upward.
   print(text, FMT_COMPILE("BT {} {:.6g} Tf 1 0 0 -1 "), font_name, size);
   printPoint(text, {left, line.baseline});
-  put(text, " Tm (");
-  for (const char letter : line.text) {
-    if (letter == '(' || letter == ')' || letter == '\\') text.push_back('\\');
-    text.push_back(letter);
-  }
-  put(text, ") Tj ET\n");
+  put(text, " Tm ");
+  font.print(text, line.text);
+  put(text, " Tj ET\n");
 }
 
-void printLegend(Bytes& text, const Legend& legend) {
-  for (const LegendBox& box : legend.boxes) {
-    print(text, FMT_COMPILE("{} gs\n"), opacityName(box.rgba));
-    printColor(text, box.rgba, "rg");
-    printBox(text, box.left, box.top, box.width, box.height);
-    put(text, "f\n");
-  }
+/// Paints a box by its color's opacity, which stays set.
+void paintBox(Bytes& text, const LegendBox& box) {
+  print(text, FMT_COMPILE("{} gs\n"), opacityName(box.rgba));
+  printColor(text, box.rgba, "rg");
+  printBox(text, box.left, box.top, box.width, box.height);
+  put(text, "f\n");
+}
+
+void printLegend(Bytes& text, const PdfFont& font, const Legend& legend) {
+  for (const LegendBox& box : legend.boxes) paintBox(text, box);
   put(text, "0 g\n");
-  for (const LegendText& line : legend.texts) printText(text, line);
+  for (const LegendText& line : legend.texts) printText(text, font, line);
 }
 
-Result<void> writeLabels(ByteSink& page, Bytes& text, const VectorPicture& picture) {
+Result<void> writeLabels(ByteSink& page, Bytes& text, const PdfFont& font, const VectorPicture& picture) {
   for (const SiteLabel& label : picture.labels()) {
     const std::uint32_t color = picture.color(label.site);
     if (const auto box = picture.boxBelow(label)) {
@@ -215,16 +199,40 @@ Result<void> writeLabels(ByteSink& page, Bytes& text, const VectorPicture& pictu
       put(text, "f\n");
     }
     printColor(text, inkOn(color), "rg");
-    printText(text, picture.textOf(label));
+    printText(text, font, picture.textOf(label));
     VORPIPE_TRY(writeIfFull(page, text));
   }
   return {};
 }
 
+/// The size of a pixel in points.
+struct Points {
+  double across, down;
+
+  static Points of(const VectorPicture& picture) {
+    if (const auto& paper = picture.paper()) {
+      constexpr double of_millimeter = 72 / 25.4;
+      return {of_millimeter * paper->width / picture.width(),
+              of_millimeter * paper->height / picture.height()};
+    }
+    constexpr double of_pixel = 0.75, most = 14400;
+    const double points = std::min(of_pixel, most / std::max(picture.width(), picture.height()));
+    return {points, points};
+  }
+};
+
 /// Writes the page's contents; the unit is a pixel, and y goes downward.
-Result<void> writeContents(ByteSink& page, const VectorPicture& picture, double points) {
+Result<void> writeContents(ByteSink& page, const VectorPicture& picture, const PdfFont& font,
+                           const Points& points) {
   Bytes text;
-  print(text, FMT_COMPILE("{0} 0 0 -{0} 0 {1} cm 1 j 1 J\nq\n"), points, points * picture.height());
+  print(text, FMT_COMPILE("{} 0 0 -{} 0 {} cm 1 j 1 J\nq\n"), points.across, points.down,
+        points.down * picture.height());
+  if (const auto background = picture.background()) {
+    const LegendBox paper{0, 0, static_cast<double>(picture.width()), static_cast<double>(picture.height()),
+                          background->rgba};
+    paintBox(text, paper);
+    put(text, "Q q\n");
+  }
   const Box clip = picture.clip();
   printBox(text, clip.xmin, clip.ymin, clip.xmax - clip.xmin, clip.ymax - clip.ymin);
   put(text, "W n\n");
@@ -241,8 +249,8 @@ Result<void> writeContents(ByteSink& page, const VectorPicture& picture, double 
   }
   VORPIPE_TRY(writeDots(page, text, picture));
   put(text, "Q\n");
-  VORPIPE_TRY(writeLabels(page, text, picture));
-  if (picture.legend()) printLegend(text, *picture.legend());
+  VORPIPE_TRY(writeLabels(page, text, font, picture));
+  if (picture.legend()) printLegend(text, font, *picture.legend());
   return writeAll(page, text);
 }
 
@@ -281,10 +289,13 @@ std::string dotObject(const VectorPicture& picture) {
 }
 
 /// Numbers of the page, its contents, and the objects after them.
-constexpr int page_object = 3, contents_object = 4, length_object = 5, font_object = 6, dot_object = 7;
+constexpr int page_object = 3, contents_object = 4, length_object = 5, dot_object = 6, font_object = 7;
 
-std::string pageObject(const VectorPicture& picture, double points) {
+bool hasText(const VectorPicture& picture) { return picture.legend() || !picture.labels().empty(); }
+
+std::string pageObject(const VectorPicture& picture, const Points& points) {
   std::set<std::uint32_t> opacities;
+  if (picture.background()) opacities.insert(picture.background()->alpha());
   if (picture.legend()) {
     for (const LegendBox& box : picture.legend()->boxes) opacities.insert(box.rgba >> 24);
   }
@@ -292,16 +303,18 @@ std::string pageObject(const VectorPicture& picture, double points) {
   for (const std::uint32_t opacity : opacities) {
     states += fmt::format("{} << /ca {:.3g} >> ", opacityName(opacity << 24), opacity / opaque);
   }
+  const std::string fonts =
+      hasText(picture) ? fmt::format("/Font << {} {} 0 R >> ", font_name, font_object) : std::string();
   return fmt::format(
       "<< /Type /Page /Parent 2 0 R /MediaBox [0 0 {} {}] /Contents {} 0 R\n"
-      "/Resources << /Font << {} {} 0 R >> /XObject << {} {} 0 R >> /ExtGState << {}>> >> >>",
-      points * picture.width(), points * picture.height(), contents_object, font_name, font_object, dot_name,
+      "/Resources << {}/XObject << {} {} 0 R >> /ExtGState << {}>> >> >>",
+      points.across * picture.width(), points.down * picture.height(), contents_object, fonts, dot_name,
       dot_object, states);
 }
 
 Result<void> writeFile(ByteSink& sink, const VectorPicture& picture) {
-  constexpr double points_of_pixel = 0.75, most_points = 14400;
-  const double points = std::min(points_of_pixel, most_points / std::max(picture.width(), picture.height()));
+  const Points points = Points::of(picture);
+  const PdfFont font;
   PdfFile file(sink);
   // Bytes above 127 show file transfer programs that this is no text.
   VORPIPE_TRY(file.write("%PDF-1.4\n%\xE2\xE3\xCF\xD3\n"));
@@ -312,13 +325,17 @@ Result<void> writeFile(ByteSink& sink, const VectorPicture& picture) {
   VORPIPE_TRY(file.write(fmt::format("<< /Length {} 0 R /Filter /FlateDecode >>\nstream\n", length_object)));
   const std::uint64_t begin = file.size();
   DeflateSink page(file);
-  VORPIPE_TRY(writeContents(page, picture, points));
+  VORPIPE_TRY(writeContents(page, picture, font, points));
   VORPIPE_TRY(page.finish());
   const std::uint64_t length = file.size() - begin;
   VORPIPE_TRY(file.write("\nendstream\nendobj\n"));
   VORPIPE_TRY(file.add(std::to_string(length)));
-  VORPIPE_TRY(file.add("<< /Type /Font /Subtype /Type1 /BaseFont /Helvetica /Encoding /WinAnsiEncoding >>"));
   VORPIPE_TRY(file.add(dotObject(picture)));
+  if (hasText(picture)) {
+    for (const std::string& object : font.objects(font_object)) {
+      VORPIPE_TRY(file.add(object));
+    }
+  }
   return file.finish();
 }
 

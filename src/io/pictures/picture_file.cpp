@@ -18,7 +18,7 @@ PixelGrid gridOf(const RenderOptions& options) { return pixelGridOf(shownBox(opt
 
 Result<void> asPng(ByteSink& sink, const PictureOutput& output) {
   assert(output.image != nullptr);
-  return writePng(sink, output.image->width, output.image->height, output.image->rgba);
+  return writePng(sink, output.image->width, output.image->height, output.image->rgba, output.options.paper);
 }
 
 Result<void> asWorldFile(ByteSink& sink, const PictureOutput& output) {

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <cassert>
+#include <cmath>
 #include <csetjmp>
 #include <cstddef>
 #include <new>
@@ -99,14 +100,29 @@ void packRow(const std::uint32_t* pixels, std::size_t width, std::size_t channel
   }
 }
 
+/// Pixels per meter of the two directions; 0: not known.
+struct Resolution {
+  png_uint_32 across = 0, down = 0;
+};
+
+Resolution resolutionOf(int width, int height, const std::optional<PaperSize>& paper) {
+  if (!paper) return {};
+  constexpr double meter = 1000;
+  return {static_cast<png_uint_32>(std::lround(meter * width / paper->width)),
+          static_cast<png_uint_32>(std::lround(meter * height / paper->height))};
+}
+
 bool encode(const Handles& handles, Transfer& transfer, png_uint_32 width, png_uint_32 height,
-            std::size_t channels, const std::uint32_t* pixels, png_byte* row) {
+            std::size_t channels, const Resolution& resolution, const std::uint32_t* pixels, png_byte* row) {
   if (setjmp(png_jmpbuf(handles.png)) != 0) return false;
   constexpr int fast_compression = 3;
   png_set_write_fn(handles.png, &transfer, onWrite, onFlush);
   png_set_IHDR(handles.png, handles.info, width, height, 8,
                channels == max_channels ? PNG_COLOR_TYPE_RGB_ALPHA : PNG_COLOR_TYPE_RGB, PNG_INTERLACE_NONE,
                PNG_COMPRESSION_TYPE_DEFAULT, PNG_FILTER_TYPE_DEFAULT);
+  if (resolution.across > 0) {
+    png_set_pHYs(handles.png, handles.info, resolution.across, resolution.down, PNG_RESOLUTION_METER);
+  }
   png_set_compression_level(handles.png, fast_compression);
   png_set_filter(handles.png, PNG_FILTER_TYPE_BASE, PNG_FILTER_UP);
   png_write_info(handles.png, handles.info);
@@ -213,9 +229,20 @@ auto readPixels(const std::string& path, int bits, std::uint64_t of_result, cons
   }
 }
 
+/// Returns the darkness of a pixel, whose channels are up to 65535.
+template <class Channel>
+double darkness(const Channel& channel) {
+  constexpr int most = 65535;
+  const auto dark = [&](std::size_t k) { return most - channel(k); };
+  // In integers, so that black is exactly 1 and white 0.
+  const int sum = 2126 * dark(0) + 7152 * dark(1) + 722 * dark(2);
+  return sum / (10000 * double{most}) * (channel(3) / double{most});
+}
+
 }  // namespace
 
-Result<void> writePng(ByteSink& sink, int width, int height, std::span<const std::uint32_t> rgba) {
+Result<void> writePng(ByteSink& sink, int width, int height, std::span<const std::uint32_t> rgba,
+                      const std::optional<PaperSize>& paper) {
   assert(width > 0 && height > 0 &&
          rgba.size() == static_cast<std::size_t>(width) * static_cast<std::size_t>(height));
   Transfer transfer;
@@ -228,7 +255,7 @@ Result<void> writePng(ByteSink& sink, int width, int height, std::span<const std
   const std::size_t channels = all_opaque ? max_channels - 1 : max_channels;
   std::vector<png_byte> row(static_cast<std::size_t>(width) * channels);
   if (encode(handles, transfer, static_cast<png_uint_32>(width), static_cast<png_uint_32>(height), channels,
-             rgba.data(), row.data())) {
+             resolutionOf(width, height, paper), rgba.data(), row.data())) {
     return {};
   }
   if (!transfer.result) return transfer.result;
@@ -252,17 +279,23 @@ Result<Image> readPng(const std::string& path) {
   });
 }
 
+Density darknessOf(const Image& image) {
+  Density density{image.width, image.height, {}};
+  density.values.reserve(image.rgba.size());
+  for (const std::uint32_t pixel : image.rgba) {
+    density.values.push_back(
+        darkness([&](std::size_t k) { return static_cast<int>((pixel >> 8 * k & 0xFF) * 257); }));
+  }
+  return density;
+}
+
 Result<Density> readPngDarkness(const std::string& path) {
   return readPixels(path, 16, sizeof(double), [](const Pixels& pixels) {
     Density density{pixels.width, pixels.height, {}};
     density.values.resize(pixels.bytes.size() / (2 * max_channels));
     const png_byte* bytes = pixels.bytes.data();
     for (double& value : density.values) {
-      const auto channel = [&](std::size_t k) { return bytes[2 * k] * 256 + bytes[2 * k + 1]; };
-      const auto dark = [&](std::size_t k) { return 65535 - channel(k); };
-      // In integers, so that black is exactly 1 and white 0.
-      const int darkness = 2126 * dark(0) + 7152 * dark(1) + 722 * dark(2);
-      value = darkness / (10000 * 65535.0) * (channel(3) / 65535.0);
+      value = darkness([&](std::size_t k) { return bytes[2 * k] * 256 + bytes[2 * k + 1]; });
       bytes += 2 * max_channels;
     }
     return density;

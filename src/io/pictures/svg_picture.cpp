@@ -72,29 +72,58 @@ void printLines(Bytes& text, const Lines& lines, std::string_view end) {
 }
 
 void printHead(Bytes& text, const VectorPicture& picture) {
-  print(text,
-        FMT_COMPILE("<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{0}\" height=\"{1}\" "
-                    "viewBox=\"0 0 {0} {1}\">\n"),
-        picture.width(), picture.height());
+  put(text,
+      "<svg xmlns=\"http://www.w3.org/2000/svg\" "
+      "xmlns:inkscape=\"http://www.inkscape.org/namespaces/inkscape\"");
+  if (const auto& paper = picture.paper()) {
+    print(text, FMT_COMPILE(" width=\"{:.6g}mm\" height=\"{:.6g}mm\" preserveAspectRatio=\"none\""),
+          paper->width, paper->height);
+  } else {
+    print(text, FMT_COMPILE(" width=\"{}\" height=\"{}\""), picture.width(), picture.height());
+  }
+  print(text, FMT_COMPILE(" viewBox=\"0 0 {} {}\">\n"), picture.width(), picture.height());
   const Box clip = picture.clip();
   put(text, "<clipPath id=\"frame\">");
   printRectangle(text, clip.xmin, clip.ymin, clip.xmax - clip.xmin, clip.ymax - clip.ymin);
   put(text, "/></clipPath>\n");
   if (const Lines outline = picture.outline(); !outline.empty()) {
-    put(text, "<clipPath id=\"outline\"><path clip-rule=\"evenodd\" d=\"");
+    put(text, "<clipPath id=\"outline\" clip-path=\"url(#frame)\"><path clip-rule=\"evenodd\" d=\"");
     printLines(text, outline, "Z");
     put(text, "\"/></clipPath>\n");
   }
 }
 
+/// Begins a group, a layer of Inkscape's, up to its other attributes; `clip` names a path that clips it.
+void beginLayer(Bytes& text, std::string_view name, std::string_view clip = {}) {
+  print(text, FMT_COMPILE("<g id=\"{0}\" inkscape:groupmode=\"layer\" inkscape:label=\"{0}\""), name);
+  if (clip.empty()) return;
+  print(text, FMT_COMPILE(" clip-path=\"url(#{})\" stroke-linejoin=\"round\" stroke-linecap=\"round\""),
+        clip);
+}
+
+/// The path that clips what lies over cells.
+std::string_view clipOf(const VectorPicture& picture) {
+  return picture.outline().empty() ? "frame" : "outline";
+}
+
 Result<void> writeCells(ByteSink& sink, Bytes& text, const VectorPicture& picture, const Diagram& diagram) {
-  put(text, "<g fill-rule=\"evenodd\"");
-  printLength(text, "stroke-width", VectorPicture::seam_width);
+  const bool painted = !picture.cellsShowBackground();
+  beginLayer(text, "cells", "frame");
+  put(text, painted ? " fill-rule=\"evenodd\"" : " fill=\"none\"");
+  if (painted) printLength(text, "stroke-width", VectorPicture::seam_width);
   put(text, ">\n");
+  std::size_t last = diagram.area.size(), copy = 0;
   auto written = picture.eachCell([&](std::size_t site, const Lines& rings) {
-    put(text, "<path");
-    printColor(text, "fill", picture.color(site));
-    printColor(text, "stroke", picture.color(site));
+    print(text, FMT_COMPILE("<path id=\"cell-{}"), site);
+    // Of a periodic domain.
+    copy = site == last ? copy + 1 : 1;
+    last = site;
+    if (copy > 1) print(text, FMT_COMPILE("-{}"), copy);
+    text.push_back('"');
+    if (painted) {
+      printColor(text, "fill", picture.color(site));
+      printColor(text, "stroke", picture.color(site));
+    }
     put(text, " d=\"");
     printLines(text, rings, "Z");
     print(text, FMT_COMPILE("\"><title>site {}, area {}</title></path>\n"), site, diagram.area[site]);
@@ -104,16 +133,18 @@ Result<void> writeCells(ByteSink& sink, Bytes& text, const VectorPicture& pictur
   return written;
 }
 
-/// Begins a group of lines that are not filled.
-void beginLines(Bytes& text, std::uint32_t color, double width) {
-  put(text, "<g fill=\"none\"");
+/// Begins a layer of lines that are not filled.
+void beginLines(Bytes& text, std::string_view name, const VectorPicture& picture, std::uint32_t color,
+                double width) {
+  beginLayer(text, name, clipOf(picture));
+  put(text, " fill=\"none\"");
   printColor(text, "stroke", color);
   printLength(text, "stroke-width", width);
   put(text, ">\n");
 }
 
 Result<void> writeEdges(ByteSink& sink, Bytes& text, const VectorPicture& picture) {
-  beginLines(text, edge_color, picture.edgeWidth());
+  beginLines(text, "edges", picture, picture.edgeColor(), picture.edgeWidth());
   std::size_t lines_here = 0;
   auto written = picture.eachEdge([&](const Lines& lines) {
     if (lines_here == 0) put(text, "<path d=\"");
@@ -137,7 +168,7 @@ Result<void> writeEdges(ByteSink& sink, Bytes& text, const VectorPicture& pictur
 }
 
 Result<void> writeDual(ByteSink& sink, Bytes& text, const VectorPicture& picture) {
-  beginLines(text, dual_color, picture.edgeWidth());
+  beginLines(text, "dual", picture, dual_color, picture.edgeWidth());
   std::size_t lines_here = 0;
   for (const Line& line : picture.dual()) {
     put(text, lines_here == 0 ? "<path d=\"M" : "M");
@@ -154,7 +185,7 @@ Result<void> writeDual(ByteSink& sink, Bytes& text, const VectorPicture& picture
 }
 
 Result<void> writeDots(ByteSink& sink, Bytes& text, const VectorPicture& picture) {
-  put(text, "<g");
+  beginLayer(text, "sites", clipOf(picture));
   printColor(text, "fill", picture.dotColor());
   const auto [radius, rim] = picture.dot();
   if (rim > 0) {
@@ -200,7 +231,8 @@ void printText(Bytes& text, const LegendText& line, std::uint32_t color) {
 }
 
 void printLegend(Bytes& text, const Legend& legend) {
-  put(text, "<g>\n");
+  beginLayer(text, "legend");
+  put(text, ">\n");
   for (const LegendBox& box : legend.boxes) printBox(text, box);
   print(text, FMT_COMPILE("<g{}>\n"), fonts);
   for (const LegendText& line : legend.texts) printText(text, line, black);
@@ -208,7 +240,8 @@ void printLegend(Bytes& text, const Legend& legend) {
 }
 
 Result<void> writeLabels(ByteSink& sink, Bytes& text, const VectorPicture& picture) {
-  print(text, FMT_COMPILE("<g{}>\n"), fonts);
+  beginLayer(text, "labels");
+  print(text, FMT_COMPILE("{}>\n"), fonts);
   for (const SiteLabel& label : picture.labels()) {
     if (const auto box = picture.boxBelow(label)) printBox(text, *box);
     printText(text, picture.textOf(label), inkOn(picture.color(label.site)));
@@ -221,10 +254,14 @@ Result<void> writeLabels(ByteSink& sink, Bytes& text, const VectorPicture& pictu
 Result<void> write(ByteSink& sink, const VectorPicture& picture, const Diagram& diagram) {
   Bytes text;
   printHead(text, picture);
-  put(text, "<g clip-path=\"url(#frame)\" stroke-linejoin=\"round\" stroke-linecap=\"round\">\n");
+  if (const auto background = picture.background()) {
+    const auto width = static_cast<double>(picture.width()), height = static_cast<double>(picture.height());
+    beginLayer(text, "background");
+    put(text, ">\n");
+    printBox(text, {0, 0, width, height, background->rgba});
+    put(text, "</g>\n");
+  }
   VORPIPE_TRY(writeCells(sink, text, picture, diagram));
-  const bool outlined = !picture.outline().empty();
-  if (outlined) put(text, "<g clip-path=\"url(#outline)\">\n");
   if (picture.hasEdges()) {
     VORPIPE_TRY(writeEdges(sink, text, picture));
   }
@@ -234,7 +271,6 @@ Result<void> write(ByteSink& sink, const VectorPicture& picture, const Diagram& 
   if (!picture.dots().empty()) {
     VORPIPE_TRY(writeDots(sink, text, picture));
   }
-  put(text, outlined ? "</g>\n</g>\n" : "</g>\n");
   if (!picture.labels().empty()) {
     VORPIPE_TRY(writeLabels(sink, text, picture));
   }

@@ -99,14 +99,20 @@ class VectorPicture {
 
   [[nodiscard]] int width() const { return options_->width; }
   [[nodiscard]] int height() const { return options_->height; }
+  /// Its size on paper, if it has one.
+  [[nodiscard]] const std::optional<PaperSize>& paper() const { return options_->paper; }
   /// Pixels that show the domain: everything except the legend is clipped to them.
   [[nodiscard]] Box clip() const { return places_.pixels(); }
   [[nodiscard]] bool hasEdges() const { return options_->edges; }
   [[nodiscard]] std::uint32_t color(std::size_t site) const {
-    return options_->fill ? colors_.rgba[site] : white;
+    return options_->fill ? colors_.rgba[site] : unfilledColor(*options_);
   }
-  /// Color of dots: white ones would not show on white cells.
-  [[nodiscard]] std::uint32_t dotColor() const { return options_->fill ? white : black; }
+  [[nodiscard]] std::uint32_t dotColor() const { return vorpipe::dotColor(*options_); }
+  [[nodiscard]] std::uint32_t edgeColor() const { return vorpipe::edgeColor(*options_); }
+  /// Below everything, over the whole picture.
+  [[nodiscard]] std::optional<Color> background() const { return options_->background; }
+  /// Whether cells are not painted.
+  [[nodiscard]] bool cellsShowBackground() const { return vorpipe::cellsShowBackground(*options_); }
   /// Rings that bound the cells, and clip edges and dots by the even-odd rule; none without an outline.
   [[nodiscard]] Lines outline() const;
   [[nodiscard]] const DotSize& dot() const { return dot_; }
@@ -187,9 +193,9 @@ Result<void> writeShapes(ByteSink& sink, const Sites& sites, const Diagram& diag
 
 /// Draws `diagram`, the cells of `sites` with Detail::polygons, by `options`, and writes the picture as
 /// SVG 1.1 of options.width x options.height pixels, or as one page of PDF 1.4. A cell of SVG is a path with
-/// its site and area as title. A pixel of PDF is 0.75 points, as in browsers, or less if the page would
-/// exceed 14400 points, the most that readers accept. Equal cells give equal bytes. Errors: those of
-/// writeShapes; writing failed (device).
+/// its site and area as title. Without a size on paper, a pixel of PDF is 0.75 points, as in browsers, or
+/// less if the page would exceed 14400 points, the most that readers accept. Equal cells give equal bytes.
+/// Errors: those of writeShapes; writing failed (device).
 Result<void> writeSvgPicture(ByteSink& sink, const Sites& sites, const Diagram& diagram,
                              const RenderOptions& options, int threads = 0);
 Result<void> writePdfPicture(ByteSink& sink, const Sites& sites, const Diagram& diagram,

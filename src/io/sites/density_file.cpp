@@ -20,12 +20,14 @@
 #include "io/base/line_reader.h"
 #include "io/base/npy_array.h"
 #include "io/base/number.h"
+#include "io/pictures/jpeg_file.h"
 #include "io/pictures/png_file.h"
 
 namespace vorpipe {
 namespace {
 
-constexpr std::array<std::string_view, 4> world_extensions = {".pgw", ".pngw", ".tfw", ".wld"};
+constexpr std::array<std::string_view, 6> world_extensions = {".pgw",  ".pngw", ".jgw",
+                                                              ".jpgw", ".tfw",  ".wld"};
 constexpr std::size_t number_count = 6;
 
 /// A GeoTransform of GDAL: x of the left side, width of a pixel, a turn, y of the upper side, a turn, height.
@@ -132,23 +134,6 @@ Result<void> takeAux(const std::string& path, DensityFile& read) {
   return {};
 }
 
-/// Sets the box of the pixels in `path` from the world file beside it: six numbers, the first and the fourth
-/// the size of a pixel, the fourth less than 0, the last two the center of the upper left one; else from the
-/// GeoTransform that GDAL writes to `path`.aux.xml. The system is from that file or a .prj beside it. Errors
-/// (input): a file has other numbers, pixels of no size, turned ones, or an unknown system.
-Result<void> findBox(const std::string& path, DensityFile& read) {
-  for (const std::string_view extension : world_extensions) {
-    const std::string beside = besides(path, std::string(extension));
-    if (read.density.box || !isFile(beside)) continue;
-    VORPIPE_TRY(numbersIn(beside).and_then([&](const SixNumbers& numbers) {
-      const auto [across, turn_y, turn_x, down, x, y] = numbers;
-      return setBox({x - across / 2, across, turn_x, y - down / 2, turn_y, down}, beside, read.density);
-    }));
-  }
-  VORPIPE_TRY(takeAux(path, read));
-  return read.density.box ? readSystemBeside(path, read.system) : Result<void>();
-}
-
 template <class Number>
 Result<Density> readPixels(InputFile& file, const NpyHeader& header) {
   const std::uint64_t rows = header.shape[0], columns = header.shape[1];
@@ -183,23 +168,48 @@ Result<Density> readArrayDensity(const std::string& path) {
       path, header.description, max_extent));
 }
 
+/// Reads the darkness of a photograph as that of a PNG.
+Result<Density> readDarkness(const std::string& path) {
+  VORPIPE_LET(image, readJpeg(path));
+  VORPIPE_TRY(checkRoom(path, "pixels", image.rgba.size() * sizeof(double)));
+  return darknessOf(image);
+}
+
 }  // namespace
+
+// The six numbers of a world file: the first and the fourth are the size of a pixel, the fourth less than 0,
+// the last two the center of the upper left one. The system is from GDAL's file or a .prj beside it.
+Result<void> findPlace(const std::string& path, DensityFile& read) {
+  for (const std::string_view extension : world_extensions) {
+    const std::string beside = besides(path, std::string(extension));
+    if (read.density.box || !isFile(beside)) continue;
+    VORPIPE_TRY(numbersIn(beside).and_then([&](const SixNumbers& numbers) {
+      const auto [across, turn_y, turn_x, down, x, y] = numbers;
+      return setBox({x - across / 2, across, turn_x, y - down / 2, turn_y, down}, beside, read.density);
+    }));
+  }
+  VORPIPE_TRY(takeAux(path, read));
+  return read.density.box ? readSystemBeside(path, read.system) : Result<void>();
+}
 
 Result<DensityFile> readDensity(const std::string& path, const std::optional<Box>& box) {
   const std::string extension = lowerExtension(path);
   try {
-    if (extension != ".png" && extension != ".npy") {
+    const bool jpeg = extension == ".jpg" || extension == ".jpeg";
+    if (extension != ".png" && extension != ".npy" && !jpeg) {
       const bool tiff = extension == ".tif" || extension == ".tiff";
-      return inputError(fmt::format("{}: unknown kind of file; known are .png and .npy{}", path,
+      return inputError(fmt::format("{}: unknown kind of file; known are .png, .jpg and .npy{}", path,
                                     tiff ? ", which keep their place by a world file, as `gdal_translate -of "
                                            "PNG -co WORLDFILE=YES` writes it"
                                          : ""));
     }
-    VORPIPE_VAR(density, extension == ".png" ? readPngDarkness(path) : readArrayDensity(path));
+    VORPIPE_VAR(density, jpeg                  ? readDarkness(path)
+                         : extension == ".png" ? readPngDarkness(path)
+                                               : readArrayDensity(path));
     DensityFile read{std::move(density)};
     read.density.box = box;
     if (box) return read;
-    VORPIPE_TRY(findBox(path, read));
+    VORPIPE_TRY(findPlace(path, read));
     return read;
   } catch (const std::bad_alloc&) {
     return deviceError(path + ": there is not enough memory for its pixels");

@@ -40,7 +40,8 @@ double coveredPart(const Box& box, const Box& by) {
 }
 
 /// Notes the part of the domain that the pixels leave empty; refuses pixels that lie elsewhere.
-Result<void> checkCovered(const Density& density, const std::string& about, PlacedSites& placed) {
+Result<void> checkCovered(const Density& density, const std::string& about, PlacedSites& placed,
+                          const DomainWords& words) {
   constexpr double percent = 100, rounding = 1e-9;
   const Box &box = *density.box, &domain = placed.domain;
   const double covered = coveredPart(domain, box);
@@ -49,9 +50,8 @@ Result<void> checkCovered(const Density& density, const std::string& about, Plac
     return inputError(fmt::format("{}its pixels lie in {}, and nothing of the domain {} does", about,
                                   boxText(box), boxText(domain)));
   }
-  placed.notes.push_back(
-      fmt::format("{}its pixels lie in {} and cover {:.3g} % of the domain {}; it is 0 elsewhere", about,
-                  boxText(box), covered * percent, boxText(domain)));
+  placed.notes.push_back(fmt::format("{}its pixels lie in {} and cover {:.3g} % of the domain {}; {}", about,
+                                     boxText(box), covered * percent, boxText(domain), words.beyond));
   return {};
 }
 
@@ -97,7 +97,7 @@ Result<void> checkSystem(const DensityFile& given, const std::string& about, Pla
 Result<void> placeDensity(const DensityFile& given, const std::string& name, PlacedSites& placed,
                           const DomainWords& words) {
   const Density& density = given.density;
-  if (density.values.empty()) return {};
+  if (density.width == 0) return {};
   const std::string about =
       name.empty() ? fmt::format("{}: ", words.density) : fmt::format("{}: {}: ", words.density, name);
   if (!density.box) {
@@ -105,7 +105,7 @@ Result<void> placeDensity(const DensityFile& given, const std::string& name, Pla
     return {};
   }
   VORPIPE_TRY(checkSystem(given, about, placed, words));
-  return checkCovered(density, about, placed);
+  return checkCovered(density, about, placed, words);
 }
 
 }  // namespace vorpipe

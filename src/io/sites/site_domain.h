@@ -36,7 +36,8 @@ struct DomainSettings {
 struct DomainWords {
   std::string sites = "the sites", domain = "domain", box = "a box", margin = "margin", repair = "repair",
               project = "project", project_amid = "a projection", project_around = "a center",
-              periodic = "periodic", density = "density", density_box = "a density box";
+              periodic = "periodic", density = "density", density_box = "a density box",
+              beyond = "it is 0 elsewhere";  ///< what is where a density has no pixels
 };
 
 /// Source of sites.

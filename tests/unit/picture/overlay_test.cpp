@@ -31,9 +31,11 @@ Image imageOf(int width, int height, const IdOf& idOf) {
   return image;
 }
 
+constexpr std::uint32_t dark = 0xFF241812u;
+
 void drawDots(Image& image, const Sites& sites, double size) {
   const Box domain{0, 0, 1, 1};
-  SiteDots(image, sites, domain, size).draw({}, /*white_cells=*/false, image);
+  SiteDots(image, sites, domain, size).draw({}, white, image);
 }
 
 /// Cells that meet along a curve, with a hole.
@@ -44,10 +46,10 @@ std::uint32_t curvedCells(int row, int column) {
 
 TEST(Overlay, WideEdgesAreAllPixelsNearAnEdgePixelAndNoOther) {
   Image thin = imageOf(67, 53, curvedCells);
-  drawEdges(thin, 1, 1);
+  drawEdges(thin, 1, dark, 1);
   for (const double width : {1.0, 2.0, 3.0, 4.0, 4.4, 9.0, 10.0}) {
     Image wide = imageOf(67, 53, curvedCells);
-    drawEdges(wide, width, 2);
+    drawEdges(wide, width, dark, 2);
     // Of an even number of pixels an edge lies between two.
     const double across = std::round(width), shift = std::fmod(across, 2) == 0 ? 0.5 : 0;
     const double radius = (across - 1) / 2 + shift;
@@ -64,7 +66,7 @@ TEST(Overlay, WideEdgesAreAllPixelsNearAnEdgePixelAndNoOther) {
         const auto pixel = at(wide, row, column);
         const bool none = wide.ids[pixel] == no_site;
         ASSERT_EQ(wide.rgba[pixel], none   ? 0
-                                    : near ? 0xFF181818u
+                                    : near ? dark
                                            : plain_color)
             << width << ' ' << row << ' ' << column;
       }
@@ -74,7 +76,7 @@ TEST(Overlay, WideEdgesAreAllPixelsNearAnEdgePixelAndNoOther) {
 
 TEST(Overlay, EdgesAreDarkOnTheLeftAndAboveOfWhereCellsMeet) {
   Image image = imageOf(4, 4, [](int, int column) { return column < 2 ? 0u : 1u; });
-  drawEdges(image, 1, 1);
+  drawEdges(image, 1, dark, 1);
   for (int row = 0; row < 4; ++row) {
     for (int column = 0; column < 4; ++column)
       EXPECT_EQ(image.rgba[at(image, row, column)] != plain_color, column == 1);

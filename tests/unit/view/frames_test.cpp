@@ -190,6 +190,25 @@ TEST(Painter, RelaxesStepByStep) {
   EXPECT_EQ(painter.paint(request, never).frame->step->diagram, 1U) << "other sites relax anew";
 }
 
+TEST(Painter, MakesStepsForAboutAsLongAsItDrew) {
+  Painter painter;
+  FrameRequest request = requestOf(1, randomSites(10));
+  request.picture.width = request.picture.height = 1500;
+  ASSERT_TRUE(painter.paint(request, never).frame);
+  request.motion = Motion::runs;
+  request.several_steps = true;
+  RenderResult result = painter.paint(request, never);
+  ASSERT_TRUE(result.frame && result.frame->step);
+  EXPECT_GT(result.frame->step->diagram, 2U);
+  EXPECT_NE(result.frame->sites, request.sites);
+  EXPECT_EQ(result.frame->relaxed_from, request.sites);
+  request.several_steps = false;
+  request.sites = result.frame->sites;
+  const std::uint64_t before = result.frame->step->diagram;
+  result = painter.paint(request, never);
+  EXPECT_EQ(result.frame->step->diagram, before + 1);
+}
+
 TEST(Painter, RelaxesOnAfterAStepThatWasGivenUp) {
   Painter painter;
   FrameRequest request = requestOf(1, randomSites(1000));

@@ -131,6 +131,45 @@ TEST_F(PanelTest, TheCellIsToldBesideThePointer) {
   EXPECT_FALSE(there());
 }
 
+TEST_F(PanelTest, TheCellUnderThePointerHasALineAroundIt) {
+  input_.hovered = Hovered{7, {0.25, 0.5}, 0.5, 0.125, 6, {{500, 300}, {600, 300}, {600, 400}}};
+  panel_.take(Move{{900, 800}});
+  draw();
+  const auto there = [&] {
+    return std::any_of(triangles_.vertices.begin(), triangles_.vertices.end(), [](const PanelVertex& at) {
+      return std::abs(at.x - 600) < 5 && std::abs(at.y - 300) < 5;
+    });
+  };
+  EXPECT_TRUE(there());
+  input_.hovered.reset();
+  draw();
+  EXPECT_FALSE(there());
+}
+
+TEST_F(PanelTest, TheHintFadesAndAMessageTakesItsPlace) {
+  const auto alpha = [&] {
+    unsigned most = 0;
+    for (const PanelVertex& at : triangles_.vertices) {
+      if (at.y > 900 && at.x > 400) most = std::max(most, static_cast<unsigned>(at.rgba >> 24));
+    }
+    return most;
+  };
+  input_.hint = "Click somewhere";
+  draw();
+  const unsigned whole = alpha();
+  input_.hint_shows = 0.5;
+  draw();
+  EXPECT_GT(alpha(), 0u);
+  EXPECT_LT(alpha(), whole);
+  input_.hint_shows = 0;
+  draw();
+  EXPECT_FALSE(panel_.placements().contains("Message"));
+  EXPECT_EQ(alpha(), 0u);
+  input_.message = "Saved it";
+  draw();
+  EXPECT_EQ(alpha(), whole);
+}
+
 TEST_F(PanelTest, ItIsMovedAndStaysAtItsEdge) {
   const auto left = [&] { return panel_.placements().at("Panel").left; };
   EXPECT_EQ(left(), 10);

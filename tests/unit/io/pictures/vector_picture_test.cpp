@@ -52,7 +52,7 @@ TEST(VectorPicture, DrawsEachCellInItsColor) {
   const std::string svg = twoHalves().svg();
   EXPECT_THAT(svg, HasSubstr("width=\"200\" height=\"100\""));
   EXPECT_THAT(svg, HasSubstr("<title>site 0, area 0.5</title>"));
-  EXPECT_EQ(countOf(svg, "<path fill=\"#"), 2u);
+  EXPECT_EQ(countOf(svg, "<path id=\"cell-"), 2u);
   EXPECT_THAT(svg, Not(HasSubstr("<circle")));
 }
 
@@ -65,6 +65,21 @@ TEST(VectorPicture, DrawsAnEdgeOnceAndNoneAtTheFrame) {
   ASSERT_NE(edges, std::string::npos);
   EXPECT_EQ(countOf(svg.substr(edges), "M"), 1u);
   EXPECT_THAT(svg.substr(edges), HasSubstr("M100 "));
+}
+
+TEST(VectorPicture, HasItsBackgroundBelowEverythingAndThroughCellsWithoutFill) {
+  Scene scene = twoHalves();
+  scene.options.background = Color{0x40332211u};
+  const std::string paper = "width=\"200\" height=\"100\" fill=\"#112233\" fill-opacity=\"0.251\"/>";
+  EXPECT_THAT(scene.svg(), HasSubstr(paper));
+  EXPECT_EQ(countOf(scene.svg(), "\" fill=\"#"), 3u);
+  scene.options.fill = false;
+  EXPECT_THAT(scene.svg(), HasSubstr(paper));
+  EXPECT_EQ(countOf(scene.svg(), "\" fill=\"#"), 1u);
+  EXPECT_EQ(countOf(scene.svg(), "<title>site "), 2u);
+  scene.options.edges = true;
+  scene.options.edge_color = Color{0xFF0000FFu};
+  EXPECT_THAT(scene.svg(), HasSubstr("stroke=\"#ff0000\""));
 }
 
 TEST(VectorPicture, DrawsACellOfAPeriodicDomainWhereverItShows) {
@@ -100,7 +115,7 @@ TEST(VectorPicture, LabelsAreTextAndLinesOfTheDualRunBelowThem) {
   EXPECT_THAT(svg, HasSubstr("text-anchor=\"middle\">1</text>"));
   EXPECT_THAT(svg, HasSubstr("<path d=\"M50 50L150 50\"/>"));
   EXPECT_LT(svg.find("M50 50L150 50"), svg.find("<text"));
-  EXPECT_EQ(countOf(svg, "<path fill=\"#ffffff\""), 2u);
+  EXPECT_EQ(countOf(svg, "\" fill=\"#ffffff\" stroke"), 2u);
 }
 
 TEST(VectorPicture, AViewShowsWhatItHasOfTheDomain) {

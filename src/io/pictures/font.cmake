@@ -1,4 +1,4 @@
-# The letters of the panel are a part of the program.
+# The letters of the panel and of PDFs are a part of the program.
 set(font_file ${CMAKE_CURRENT_BINARY_DIR}/font_file.cpp)
 set(fonts ${PROJECT_SOURCE_DIR}/third_party/fonts)
 add_custom_command(
@@ -6,6 +6,5 @@ add_custom_command(
   COMMAND ${CMAKE_COMMAND} -D font=${fonts}/DejaVuSansCondensed.ttf -D source=${font_file} -P ${fonts}/embed.cmake
   DEPENDS ${fonts}/DejaVuSansCondensed.ttf ${fonts}/embed.cmake
   VERBATIM)
-add_library(vorpipe_view_font STATIC ${font_file})
-target_link_libraries(vorpipe_view_font PRIVATE vorpipe_options)
-
+target_sources(vorpipe_io_pictures PRIVATE ${font_file})
+set_source_files_properties(${font_file} PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)

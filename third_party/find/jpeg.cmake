@@ -1,0 +1,5 @@
+find_package(JPEG QUIET)
+if(TARGET JPEG::JPEG)
+  add_library(dep::jpeg INTERFACE IMPORTED)
+  target_link_libraries(dep::jpeg INTERFACE JPEG::JPEG)
+endif()
