@@ -312,6 +312,7 @@ for feature, shape in zip(features[name], features.geometry):
         assert len(there) == (area > 0) and abs(there.area.sum() - area) <= 1e-9 * shape.area, (feature, site)
 END
 }
+printf '1e7\n2e7\n0\n0\n1e8\n0\n3e7\n5\n' >in/eight.txt
 succeeds "shares of catchments" cells --backend cpu --check --sites "$examples/rain.csv" --domain "$examples/catchments.geojson" --by name --quiet \
   -o out/p.csv -o out/p.gpkg -o out/p.geojson -o out/p.geojsonl --stats out/s.json
 pieces out/p.csv out/p.gpkg "$examples/rain.csv" "$examples/catchments.geojson" name
@@ -334,6 +335,8 @@ with open("in/many.csv", "w") as file:
 END
 succeeds "many sites (seed $seed)" cells --backend cpu --sites in/many.csv --domain "$examples/catchments.geojson" --by code --quiet -o out/p.csv -o out/p.gpkg
 pieces out/p.csv out/p.gpkg in/many.csv "$examples/catchments.geojson" code
+succeeds "pieces of a power diagram" cells --backend cpu --check --sites "$examples/rain.csv" --weights in/eight.txt --domain "$examples/catchments.geojson" --by name --quiet -o out/p.csv
+awk -F, 'NR > 1 { sum[$1] += $8 } END { for (k in sum) if (sum[k] < 1 - 1e-12 || sum[k] > 1 + 1e-12) exit 1; exit length(sum) != 3 }' out/p.csv || fail "shares do not add up: $(cat out/p.csv)"
 square() { printf '{"type":"Feature","properties":{"name":%s,"area":7},"geometry":{"type":"Polygon","coordinates":[[[%d,0],[%d,0],[%d,2],[%d,2],[%d,0]]]}}' "$1" $2 $3 $3 $2 $2; }
 printf '{"type":"FeatureCollection",%s"features":[%s,%s,%s,%s,{"type":"Feature","properties":{"name":"none"},"geometry":null}]}' "$(crs 25832)" \
   "$(square '"a"' 0 2)" "$(square '"b"' 1 3)" "$(square '"a"' 5 6)" "$(square null 6 7)" >in/squares.geojson
