@@ -63,10 +63,10 @@ Result<void> noteFiles(const std::string& path) {
 
 /// The first line of a file of messages.
 std::string firstLine(const std::string& path) {
-  constexpr std::size_t longest = std::size_t{1} << 16;
+  constexpr std::size_t most_bytes = std::size_t{1} << 16;
   auto file = InputFile::open(path);
   if (!file) return {};
-  const auto text = readText(*file, longest);
+  const auto text = readText(*file, most_bytes);
   return text ? printable(text->substr(0, text->find('\n'))) : std::string();
 }
 
