@@ -4,6 +4,7 @@
 #include <string>
 
 #include "base/try.h"
+#include "vorpipe.h"
 #include "vorpipe/cell.h"
 
 namespace vorpipe {

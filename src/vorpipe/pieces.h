@@ -6,9 +6,13 @@
 #include <span>
 #include <vector>
 
-#include "vorpipe.h"
+#include "vorpipe/cells.h"
+#include "vorpipe/result.h"
+#include "vorpipe/sites.h"
 
 namespace vorpipe {
+
+class Session;  // vorpipe.h
 
 /// Pieces of cells: where the cell of a site and a region meet. Regions are in their given order, sites of a
 /// region ascending.
