@@ -32,10 +32,11 @@ auto readBy(Read read) {
 }
 
 py::tuple outlineFrom(const std::string& path, const std::string& layer) {
-  auto [outline, system] = readBy([&] { return readOutline(path, layer); });
+  auto read = readBy([&] { return readOutline(path, layer); });
+  Outline& outline = read.outline;
   return py::make_tuple(
       arrayOf<double>(std::move(outline.points)), arrayOf<std::uint64_t>(std::move(outline.ring_offsets)),
-      arrayOf<std::uint64_t>(std::move(outline.polygon_offsets)), py::bytes(path), argumentsOf(system));
+      arrayOf<std::uint64_t>(std::move(outline.polygon_offsets)), py::bytes(path), argumentsOf(read.system));
 }
 
 py::tuple densityFrom(const std::string& path, std::optional<std::array<double, 4>> box) {

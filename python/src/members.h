@@ -101,10 +101,10 @@ struct Members<PlacedSites> {
   static constexpr auto all =
       named(member("sites", &PlacedSites::sites), member("from", &PlacedSites::from),
             member("domain", &PlacedSites::domain), member("outline", &PlacedSites::outline),
-            member("periodic", &PlacedSites::periodic), member("system", &PlacedSites::system),
-            member("projection", &PlacedSites::projection), member("longitudes", &PlacedSites::longitudes),
-            member("latitudes", &PlacedSites::latitudes), member("degrees", &PlacedSites::degrees),
-            member("notes", &PlacedSites::notes));
+            member("parts", &PlacedSites::parts), member("periodic", &PlacedSites::periodic),
+            member("system", &PlacedSites::system), member("projection", &PlacedSites::projection),
+            member("longitudes", &PlacedSites::longitudes), member("latitudes", &PlacedSites::latitudes),
+            member("degrees", &PlacedSites::degrees), member("notes", &PlacedSites::notes));
 };
 static_assert(has_all_members<PlacedSites>());
 

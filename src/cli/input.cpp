@@ -9,6 +9,7 @@
 #include "cli/progress.h"
 #include "io/base/coordinate_system.h"
 #include "io/base/error.h"
+#include "io/base/quoted.h"
 #include "io/sites/density_place.h"
 #include "io/sites/outline_file.h"
 #include "io/sites/site_source.h"
@@ -67,10 +68,35 @@ std::string_view optionOf(Subject subject, const InputOptions& options) {
   return {};
 }
 
+/// Takes the features that --by names as parts of the outline.
+Result<void> takeParts(const InputOptions& options, const OutlineFile& file, DomainSettings& settings,
+                       Input& input) {
+  if (options.by.empty()) return {};
+  auto found = outlinesBy(file, options.by);
+  if (!found) {
+    found.error().message.insert(0, fmt::format("{}: ", options.domain.file));
+    return named("--by", std::move(found.error()));
+  }
+  for (std::size_t k = 0; k < found->outlines.size(); ++k) {
+    const auto name = found->names.at(k);
+    settings.parts.push_back({name ? inQuotes(*name) : "without a name", std::move(found->outlines[k])});
+  }
+  if (found->same > 0) {
+    input.notes.push_back(
+        fmt::format("--by: {} of the features in {} have the {} of one before them, and are "
+                    "one with it",
+                    found->same, options.domain.file, inQuotes(options.by)));
+  }
+  input.part_names = std::move(found->names);
+  return {};
+}
+
 /// Finds the domain by --domain, --margin, --repair and --project.
 Result<void> takeDomain(const InputOptions& options, Input& input, bool of_corners = false) {
   if (!options.domain_layer.empty() && options.domain.file.empty())
     return inputError("--domain-layer: is for a GeoPackage that --domain names");
+  if (!options.by.empty() && options.domain.file.empty())
+    return inputError("--by: is for features of a file that --domain names");
   DomainSettings settings{{},
                           options.domain.file,
                           options.domain.box,
@@ -79,10 +105,14 @@ Result<void> takeDomain(const InputOptions& options, Input& input, bool of_corne
                           options.repair,
                           options.project,
                           {},
+                          options.crs,
+                          {},
                           of_corners};
   if (!options.domain.file.empty()) {
-    auto read = readOutline(options.domain.file, options.domain_layer);
+    const auto attributes = options.by.empty() ? FeatureAttributes::dropped : FeatureAttributes::kept;
+    auto read = readOutline(options.domain.file, options.domain_layer, attributes);
     if (!read) return named("--domain", std::move(read.error()));
+    VORPIPE_TRY(takeParts(options, *read, settings, input));
     settings.outline = std::move(read->outline);
     settings.outline_system = std::move(read->system);
   }
@@ -142,7 +172,8 @@ DomainWords domainWords(const InputOptions& options) {
           "--project LON,LAT",
           "--periodic",
           "--density",
-          "--density-box"};
+          "--density-box",
+          "--crs"};
 }
 
 Result<DensityFile> densityOf(const DensityOptions& options) {

@@ -16,8 +16,9 @@
 namespace vorpipe::cli {
 
 struct Input : PlacedSites {
-  std::optional<std::uint64_t> seed;    ///< the generator's; none for files
-  std::vector<Attribute> attributes{};  ///< of a file's sites
+  std::optional<std::uint64_t> seed;      ///< the generator's; none for files
+  std::vector<Attribute> attributes{};    ///< of a file's sites
+  std::optional<Attribute> part_names{};  ///< of the outline's parts, with --by
   double read_ms = 0;
 };
 

@@ -60,4 +60,11 @@ struct Topology {
 /// Detail::measures; it has more than 2^32 - 2 entries; two cells disagree about their common edges.
 Result<Topology> topologyOf(const Diagram& diagram, int threads = 0);
 
+/// Two sites, the lower index first.
+using SitePair = std::array<std::uint32_t, 2>;
+
+/// Returns the edges of the triangulation of the sites of a diagram with triangles, ascending, each once.
+/// Where all sites lie on a line, which leaves no triangles, those that follow each other are pairs.
+std::vector<SitePair> triangulationEdges(const Sites& sites, const Diagram& diagram);
+
 }  // namespace vorpipe

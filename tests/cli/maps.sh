@@ -164,6 +164,101 @@ notes "a hull of degrees ends at the poles" "with its margin the hull of the sit
 grep -oE '[-0-9.]+ [-0-9.]+[,)]' out/north.wkt | tr -d ',)' | awk '$2 > 90 { exit 1 } $2 == 90 { seen = 1 } END { exit !seen }' ||
   fail "the hull does not end at 90"
 
+# -- Systems that are adopted and named -----------------------------------------------------------------
+# in_system FILE EPSG: the GeoPackage is in that system, as SQLite finds it in the layer's own row.
+in_system() {
+  local found
+  found=$(/usr/bin/python3 -c 'import sqlite3, sys
+print(*sqlite3.connect(sys.argv[1]).execute("select organization || char(58) || organization_coordsys_id from gpkg_contents join gpkg_spatial_ref_sys using (srs_id)").fetchone())' "$1")
+  [ "$found" = "$2" ] || fail "$1 is in $found, not in $2"
+}
+printf 'x,y,name,code\n300,200,Aa,1\n700,300,"B, b",2\n500,800,Cc,3\n700,300,Twin,4\n' >in/wells.csv
+geojson "$(crs 25832)" '{"type":"Polygon","coordinates":[[[0,0],[1000,0],[1000,1000],[0,1000],[0,0]]]}' >in/district.geojson
+geojson "$(crs 25832)" '{"type":"MultiPoint","coordinates":[[300,200],[700,300],[500,800]]}' >in/wells.geojson
+notes "sites adopt the system of their outline" "in/wells.csv: names no coordinate system, and is taken to be in EPSG:25832, as in/district.geojson is" \
+  cells --backend cpu --check --sites in/wells.csv --domain in/district.geojson -o out/a.gpkg -o out/a.csv --edges out/e.gpkg --triangulation out/t.gpkg
+for file in a e t; do in_system out/$file.gpkg EPSG:25832; done
+awk -F, 'NR == 1 { for (k = 1; k <= NF; ++k) if ($k == "area_km2") at = k; next }
+  { d = $6 / 1e6 - $at; if (!at || d > 1e-15 || d < -1e-15) exit 1 } END { exit NR != 5 }' out/a.csv || fail "area_km2 is not the area in square kilometers"
+succeeds "a pattern is in the system of the outline that it fills" cells --backend cpu --sites random:20 --domain in/district.geojson -o out/a.gpkg
+in_system out/a.gpkg EPSG:25832
+succeeds "a system that is named" cells --backend cpu --check --sites in/wells.csv --crs EPSG:25832 -o out/a.gpkg -o out/a.geojsonl --quiet
+in_system out/a.gpkg EPSG:25832
+grep -q '"area_km2":0' out/a.geojsonl || fail "no square kilometers in GeoJSON"
+succeeds "a plane in degrees has no square kilometers" cells --backend cpu --sites in/wells.csv -o out/a.csv
+head -1 out/a.csv | grep -q km2 && fail "square kilometers of a unit that nothing names"
+succeeds "Web Mercator has none" cells --backend cpu --sites in/wells.csv --crs EPSG:3857 -o out/a.csv
+head -1 out/a.csv | grep -q km2 && fail "square kilometers of Web Mercator"
+printf 'PROJCS["Some state",GEOGCS["X",UNIT["degree",0.0174532925199433]],UNIT["US survey foot",0.3048006096012192]]' >in/feet.prj
+cp in/wells.csv in/feet.csv
+succeeds "feet are known by the definition" cells --backend cpu --sites in/feet.csv --domain 0,0,5280,5280 -o out/a.csv
+awk -F, -v OFMT=%.9f 'NR == 1 { for (k = 1; k <= NF; ++k) if ($k == "area_km2") at = k; next } { sum += $at } END { exit !(at && sum > 2.58999 && sum < 2.590007) }' out/a.csv ||
+  fail "a square mile is not 2.59 km2"
+succeeds "a system to be projected" cells --backend cpu --sites in/three.csv --crs EPSG:4258 --project auto -o out/a.gpkg
+in_system out/a.gpkg EPSG:4258
+refuses "a system that the sites contradict" "--crs: EPSG:25833 is named, and in/wells.geojson is in EPSG:25832" --sites in/wells.geojson --crs EPSG:25833
+refuses "a system that the outline contradicts" "--crs: EPSG:4326 is named, and in/district.geojson is in EPSG:25832" --sites in/wells.csv --domain in/district.geojson --crs EPSG:4326
+refuses "degrees that are none" "--crs: EPSG:4326 is of degrees, and coordinates of in/wells.csv are none" --sites in/wells.csv --crs EPSG:4326
+for system in "" Mars EPSG:0 EPSG:x 'FRUIT["apple"]'; do refuses "the system '$system'" "--crs: " --sites in/wells.csv --crs "$system"; done
+geojson "" '{"type":"Polygon","coordinates":[[[0,0],[90,0],[90,90],[0,90],[0,0]]]}' >in/degrees.geojson
+succeeds "coordinates that are no degrees do not become some" cells --backend cpu --sites in/wells.csv --domain in/degrees.geojson -o out/a.gpkg --quiet
+in_system out/a.gpkg NONE:-1
+
+# -- Names, shares, owners, the triangulation -------------------------------------------------------------
+succeeds "neighbors by name" cells --backend cpu --check --sites in/wells.csv --id @name --share -o out/a.csv -o out/a.geojson -o out/a.gpkg \
+  --edges out/e.csv --triangulation out/t.csv --triangulation out/t.wkt --triangulation out/t.vtp
+/usr/bin/python3 - <<'END' || fail "names, owners or shares are wrong"
+import csv, json, sqlite3
+rows = list(csv.DictReader(open("out/a.csv")))
+assert [r["owner"] for r in rows] == ["Aa", "B, b", "Cc", "B, b"], rows
+assert rows[0]["neighbors"].split(";") == ["ymin", "B, b", "Cc", "xmin"], rows[0]
+assert abs(sum(float(r["share"]) for r in rows) - 1) < 1e-12
+features = json.load(open("out/a.geojson"))["features"]
+assert [f["properties"]["neighbors"] for f in features] == [r["neighbors"].split(";") if r["neighbors"] else [] for r in rows]
+assert [f["properties"]["owner"] for f in features] == [r["owner"] for r in rows]
+assert list(sqlite3.connect("out/a.gpkg").execute("select owner, neighbors, share from cells order by site")) == [(r["owner"], r["neighbors"], float(r["share"])) for r in rows]
+edges = {(r["site_a"], r["site_b"]) for r in csv.DictReader(open("out/e.csv"))}
+assert ("Aa", "B, b") in edges and ("Aa", "xmin") in edges and len(edges) == 9, edges
+assert [(r["site_a"], r["site_b"]) for r in csv.DictReader(open("out/t.csv"))] == [("Aa", "B, b"), ("Aa", "Cc"), ("B, b", "Cc")]
+END
+printf '1\n1\n1\n1\n' >in/four.txt
+printf 'x,y,name\n1,1,Aa\n# none\n2,1,Bb\n1,2,Aa\n' >in/twice.csv
+printf 'x,y,name\n1,1,Aa\n2,1,\n' >in/nameless.csv
+printf 'x,y,name\n1,1,Aa\n2,1,a;b\n' >in/semicolon.csv
+printf 'x,y,name\n1,1,xmin\n2,1,Bb\n' >in/wall.csv
+refuses_id() { fails 2 "$1" "$2" cells --backend cpu "${@:3}" -o out/old.csv; }
+refuses_id "a name of two lines" '--sites: in/twice.csv:5:5: "Aa" is that of line 2 as well; each site needs another (column name)' --sites in/twice.csv --id @name
+refuses_id "a line without a name" "in/nameless.csv:3:5: empty field" --sites in/nameless.csv --id @name
+refuses_id "a name with what separates names" "has a semicolon" --sites in/semicolon.csv --id @name
+refuses_id "a name of a wall" '"xmin" is the name of a wall' --sites in/wall.csv --id @name
+refuses_id "an attribute that is not there" '--id: the sites have no attribute "nam"; they have "name", "code"' --sites in/wells.csv --id @nam
+refuses_id "names without @" "--id: " --sites in/wells.csv --id name
+fails 2 "names of nothing" "--id: there is no output with names" cells --backend cpu --sites in/wells.csv --id @name -o out/old.npz
+fails 2 "shares of nothing" "--share: there is no output" cells --backend cpu --sites in/wells.csv --share -o out/old.npz
+fails 2 "a triangulation that repeats itself" "--triangulation: there is none in a domain that repeats" cells --backend cpu --sites random:9 --periodic x --triangulation out/old.csv
+fails 2 "a triangulation of drops" "--triangulation: there is none of cells with a free" cells --backend cpu --sites in/wells.csv --weights in/four.txt --surface free --triangulation out/old.csv
+succeeds "the triangulation is complete whatever the domain" cells --backend cpu --sites random:400 --domain 0.45,0.45,0.55,0.55 --quiet -o out/a.npz --triangulation out/t.csv --triangulation out/t.geojson
+/usr/bin/python3 - <<'END' || fail "the triangulation is not scipy's"
+import csv, json, math, numpy, scipy.spatial
+sites = numpy.load("out/a.npz")["sites"]
+rows = list(csv.DictReader(open("out/t.csv")))
+pairs = [(int(r["site_a"]), int(r["site_b"])) for r in rows]
+qhull = scipy.spatial.Delaunay(sites)
+assert set(pairs) == {tuple(sorted((int(t[k]), int(t[k - 1])))) for t in qhull.simplices for k in range(3)}
+assert pairs == sorted(set(pairs))
+for r, (a, b) in zip(rows, pairs):
+    assert (float(r["x1"]), float(r["y1"]), float(r["x2"]), float(r["y2"])) == (*sites[a], *sites[b])
+    assert abs(float(r["length"]) - math.dist(sites[a], sites[b])) < 1e-15
+lines = [f["geometry"]["coordinates"] for f in json.load(open("out/t.geojson"))["features"]]
+assert lines == [[list(sites[a]), list(sites[b])] for a, b in pairs]
+END
+printf '0,0\n4,4\n1,1\n2,2\n1,1\n' >in/row.csv
+succeeds "sites on a line are pairs that follow each other" cells --backend cpu --sites in/row.csv --triangulation out/t.csv
+[ "$(cut -d, -f2,3 out/t.csv | tr '\n' ' ')" = "site_a,site_b 0,2 1,3 2,3 " ] || fail "not the pairs: $(cat out/t.csv)"
+printf '0,0,0\n4,4,0\n1,1,-9\n2,2,0\n' >in/row.csv
+succeeds "a heavier site hides one on a line" cells --backend cpu --sites in/row.csv --triangulation out/t.csv --quiet
+[ "$(cut -d, -f2,3 out/t.csv | tr '\n' ' ')" = "site_a,site_b 0,3 1,3 " ] || fail "not the pairs: $(cat out/t.csv)"
+
 # -- Files with outlines ------------------------------------------------------------------------------
 printf '{"type":"Polygon","coordinates":[[[0,0],[2,0],[2,1],[0,1],[0,0]]]}\n{"type":"Polygon","coordinates":[[[2,0],[3,0],[3,1],[2,1],[2,0]]]}\n' >in/parts.geojsonl
 notes "lines of GeoJSON" "dissolved into 1" $cells --sites random:50 --domain in/parts.geojsonl
@@ -183,6 +278,115 @@ refuses "across the antimeridian" "--domain: xmin 177 is not below xmax -177; in
   --sites random:9 --domain 177,-20,-177,-15
 fails 2 "a box that is none" "xmin 3 is not below xmax 1" cells --sites random:5 --domain 3,0,1,1 -o out/a.csv
 grep -q 'in degrees' log/err && fail "it speaks of degrees"
+
+# -- Cells in each feature --------------------------------------------------------------------------------
+# pieces TABLE LAYER SITES OUTLINE NAME: what a table and a layer have agrees, shares add up, areas are those of the features
+# and of what GEOS makes of the sites' cells; shapely and pandas are not ours.
+pieces() {
+  /usr/bin/python3 - "$@" <<'END' || fail "the pieces are wrong"
+import sys
+import geopandas, numpy, pandas, shapely.geometry, shapely.ops
+table, layer, sites, outline, name = sys.argv[1:]
+rows, shapes = pandas.read_csv(table), geopandas.read_file(layer)
+features, points = geopandas.read_file(outline), pandas.read_csv(sites)
+assert shapes.crs.to_epsg() == features.crs.to_epsg() or features.crs.to_epsg() == 4326, shapes.crs
+for column in rows:
+    if column != "geometry":
+        assert (rows[column].fillna(-1) == shapes[column].fillna(-1)).all(), column
+numpy.testing.assert_allclose(rows.share.groupby(rows[name]).sum(), 1, rtol=1e-12)
+numpy.testing.assert_allclose(rows.area_km2, rows.area / 1e6, rtol=1e-14)
+numpy.testing.assert_allclose(shapes.geometry.area, rows.area, rtol=1e-9)
+assert shapes.geometry.is_valid.all()
+whole = features.set_index(name).geometry.area
+numpy.testing.assert_allclose(rows.area.groupby(rows[name]).sum(), whole.sort_index(), rtol=1e-9)
+assert list(rows[name].drop_duplicates()) == list(features[name]), "the order of features is another"
+# GEOS clips the cells of an own diagram to the features.
+around = shapely.geometry.box(*features.total_bounds).buffer(whole.sum() ** 0.5 * 20)
+places = [shapely.geometry.Point(at) for at in zip(points.x, points.y)]
+cells = geopandas.GeoSeries(shapely.ops.voronoi_diagram(shapely.geometry.MultiPoint(places), around).geoms)
+cells = [cells[cells.sindex.query(place, predicate="within")[0]] for place in places]
+areas = {(feature, site): area for feature, site, area in zip(rows[name], rows.site, rows.area)}
+for feature, shape in zip(features[name], features.geometry):
+    for site, cell in enumerate(cells):
+        area = cell.intersection(shape).area
+        there = areas.get((feature, site), 0)
+        assert (there > 0) == (area > 0) and abs(there - area) <= 1e-9 * shape.area, (feature, site, there, area)
+END
+}
+printf '1e7\n2e7\n0\n0\n1e8\n0\n3e7\n5\n' >in/eight.txt
+succeeds "shares of catchments" cells --backend cpu --check --sites "$examples/rain.csv" --domain "$examples/catchments.geojson" --by name --quiet \
+  -o out/p.csv -o out/p.gpkg -o out/p.geojson -o out/p.geojsonl --stats out/s.json
+pieces out/p.csv out/p.gpkg "$examples/rain.csv" "$examples/catchments.geojson" name
+head -1 out/p.csv | grep -qx 'name,site,x,y,area,area_km2,share,site_name,rain_mm' || fail "the header is another: $(head -1 out/p.csv)"
+grep -q '"pieces": ' out/s.json || fail "out/s.json does not count pieces"
+ogrinfo -so out/p.gpkg pieces 2>&1 | grep -q 'ETRS89 / UTM zone 32N' || fail "GDAL finds another system in out/p.gpkg"
+in_system out/p.gpkg EPSG:25832
+[ "$(grep -c '"type":"Feature",' out/p.geojson)" = "$(wc -l <out/p.geojsonl)" ] || fail "lines are not features"
+cp out/p.csv out/p4.csv
+succeeds "any number of threads gives the same bytes" cells --backend cpu --threads 1 --sites "$examples/rain.csv" --domain "$examples/catchments.geojson" --by name --quiet -o out/p.csv
+cmp -s out/p.csv out/p4.csv || fail "one thread gives other bytes"
+seed=$RANDOM
+/usr/bin/python3 - $seed <<'END'
+import random, sys
+random.seed(int(sys.argv[1]))
+with open("in/many.csv", "w") as file:
+    print("x,y", file=file)
+    for _ in range(3000):
+        print(random.uniform(580e3, 630e3), random.uniform(5712e3, 5752e3), sep=",", file=file)
+END
+succeeds "many sites (seed $seed)" cells --backend cpu --sites in/many.csv --domain "$examples/catchments.geojson" --by code --quiet -o out/p.csv -o out/p.gpkg
+pieces out/p.csv out/p.gpkg in/many.csv "$examples/catchments.geojson" code
+succeeds "pieces of a power diagram" cells --backend cpu --check --sites "$examples/rain.csv" --weights in/eight.txt --domain "$examples/catchments.geojson" --by name --quiet -o out/p.csv
+awk -F, 'NR > 1 { sum[$1] += $8 } END { for (k in sum) if (sum[k] < 1 - 1e-12 || sum[k] > 1 + 1e-12) exit 1; exit length(sum) != 3 }' out/p.csv || fail "shares do not add up: $(cat out/p.csv)"
+square() { printf '{"type":"Feature","properties":{"name":%s,"area":7},"geometry":{"type":"Polygon","coordinates":[[[%d,0],[%d,0],[%d,2],[%d,2],[%d,0]]]}}' "$1" $2 $3 $3 $2 $2; }
+printf '{"type":"FeatureCollection",%s"features":[%s,%s,%s,%s,{"type":"Feature","properties":{"name":"none"},"geometry":null}]}' "$(crs 25832)" \
+  "$(square '"a"' 0 2)" "$(square '"b"' 1 3)" "$(square '"a"' 5 6)" "$(square null 6 7)" >in/squares.geojson
+geojson "" '{"type":"Polygon","coordinates":[[[0,0],[1,1],[1,0],[0,1],[0,0]]]}' | sed 's/"properties":{}/"properties":{"name":"x"}/' >in/bow.geojson
+printf 'x,y,share\n0,0,1\n4,0,2\n' >in/pair.csv
+notes "features that overlap count each for itself, those of one name are one" '--by: 1 of the features in in/squares.geojson have the "name" of one before them' \
+  cells --backend cpu --check --sites in/pair.csv --domain in/squares.geojson --by name -o out/p.csv
+[ "$(cut -d, -f1,2,5,7,8 out/p.csv | tr '\n' ' ')" = "name,site,area,share,site_share a,0,4,0.6666666666666666,1 a,1,2,0.3333333333333333,2 b,0,2,0.5,1 b,1,2,0.5,2 ,1,2,1,2 " ] ||
+  fail "other pieces: $(cat out/p.csv)"
+succeeds "an attribute that is named as a field" cells --backend cpu --sites in/pair.csv --domain in/squares.geojson --by area --quiet -o out/p.csv
+[ "$(cut -d, -f1,2,5 out/p.csv | head -2 | tr '\n' ' ')" = "feature_area,site,area 7,0,6 " ] || fail "other pieces: $(cat out/p.csv)"
+notes "pieces in degrees" "names no coordinate system" cells --backend cpu --check --sites in/three.csv --domain "$italy" --by name -o out/p.gpkg
+succeeds "pieces of a projection" cells --backend cpu --check --sites in/three.csv --domain "$italy" --by name --project auto -o out/p.geojsonl -o out/p.csv
+awk -F, 'NR > 1 { sum += $6; if ($5 != $6) exit 1 } END { exit !(sum > 300774 && sum < 300775) }' out/p.csv || fail "not the square kilometers of Italy: $(cat out/p.csv)"
+refuses_pieces() { fails 2 "$1" "$2" cells --backend cpu --sites in/pair.csv "${@:3}"; }
+refuses_pieces "an attribute that features do not have" '--by: in/squares.geojson: its features have no attribute "river"; they have "name", "area"' --domain in/squares.geojson --by river -o out/old.csv
+refuses_pieces "features without attributes" "in/touch.wkt: its features have no attribute" --domain in/touch.wkt --by name -o out/old.csv
+refuses_pieces "features of no file" "--by: is for features of a file" --domain 0,0,1,1 --by name -o out/old.csv
+refuses_pieces "pieces as arrays" "--by: out/old.npz: pieces go to .csv, .geojson, .geojsonl, .gpkg" --domain in/squares.geojson --by name -o out/old.npz
+refuses_pieces "edges of pieces" "--by: --edges is for cells" --domain in/squares.geojson --by name -o out/old.csv --edges out/old.json
+refuses_pieces "a feature that crosses itself" '--domain: in/bow.geojson: "x": Self-intersection' --domain in/bow.geojson --by name -o out/old.csv
+succeeds "pieces on standard output" cells --backend cpu --quiet --sites in/pair.csv --domain in/squares.geojson --by name -o - --format geojsonl
+[ "$(wc -l <log/out)" = 5 ] || fail "not five pieces"
+
+# -- Shapefiles, by GDAL's program ----------------------------------------------------------------------
+mkdir tmp
+export TMPDIR=$PWD/tmp
+ogr2ogr -lco ENCODING=ISO-8859-1 in/basins.shp "$examples/catchments.geojson" 2>/dev/null
+printf 'x,y,name\n591000,5724000,Köln\n604000,5716000,Aa\n' | ogr2ogr -a_srs EPSG:25832 -oo X_POSSIBLE_NAMES=x -oo Y_POSSIBLE_NAMES=y -lco ENCODING=ISO-8859-1 in/gauges.shp CSV:/vsistdin/ 2>/dev/null
+succeeds "a shapefile of catchments" cells --backend cpu --check --sites "$examples/rain.csv" --domain in/basins.shp --by name --quiet -o out/p.csv -o out/p.gpkg --stats out/s.json
+pieces out/p.csv out/p.gpkg "$examples/rain.csv" "$examples/catchments.geojson" name
+grep -q 'basins.dbf' out/s.json || fail "out/s.json does not have the files of the shapefile"
+succeeds "a shapefile of gauges" cells --backend cpu --sites in/gauges.shp -o out/a.csv -o out/a.gpkg
+in_system out/a.gpkg EPSG:25832
+grep -q ',Köln$' out/a.csv || fail "the attributes are others: $(cat out/a.csv)"
+head -1 out/a.csv | grep -q fid && fail "the number of a row has become an attribute"
+printf 'no shapefile' >in/broken.shp
+refuses "a file that is no shapefile" "--sites: in/broken.shp: ogr2ogr cannot read it: " --sites in/broken.shp
+refuses "a shapefile of polygons" "in/basins.shp" --sites in/basins.shp
+refuses "a shapefile of points as an outline" "in/gauges.shp" --sites random:9 --domain in/gauges.shp
+refuses "a shapefile that is not there" "in/none.shp: cannot be read" --sites random:9 --domain in/none.shp
+printf '#!/bin/sh\nPATH=/nowhere exec "%s" "$@"\n' "$vorpipe" >in/without_gdal
+chmod +x in/without_gdal
+with_gdal=$vorpipe
+vorpipe=$PWD/in/without_gdal
+refuses "a shapefile without GDAL" "in/gauges.shp: a shapefile is read by GDAL's ogr2ogr, which is not here: install gdal-bin" --sites in/gauges.shp
+vorpipe=$with_gdal
+[ -z "$(ls tmp)" ] || fail "something is left behind in the folder of temporary files"
+unset TMPDIR
 
 # -- Places of densities ------------------------------------------------------------------------------
 printf '\223NUMPY\001\000\166\000%-117s\n\001\002\003\004\005\006\007\010' "{'descr': '|u1', 'fortran_order': False, 'shape': (2, 4), }" >in/d.npy

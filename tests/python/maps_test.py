@@ -1,4 +1,5 @@
 """Degrees, planes, and the domains that points and outlines give."""
+import shutil
 import sys
 import warnings
 
@@ -154,6 +155,22 @@ def test_different_systems_are_refused_by_name(degrees, tmp_path):
 
     with pytest.raises(vorpipe.InputError, match='the outline is in EPSG:25832, points in EPSG:4326'):
         vorpipe.cells(degrees, domain=Frame(), crs='EPSG:4326')
+
+
+def test_points_adopt_the_system_of_their_outline(tmp_path):
+    geopandas = pytest.importorskip('geopandas')
+    shapely = pytest.importorskip('shapely')
+    frame = geopandas.GeoDataFrame({'name': ['a']}, geometry=[shapely.geometry.box(0, 0, 4000, 2000)], crs=25832)
+    points = [[1000, 1000], [3000, 1000]]
+    for name in ('square.gpkg', 'square.shp'):
+        if name.endswith('.shp') and shutil.which('ogr2ogr') is None:
+            continue
+        frame.to_file(tmp_path / name)
+        diagram = vorpipe.cells(points, domain=tmp_path / name)
+        assert diagram.crs == 'EPSG:25832' and diagram.area.tolist() == [4e6, 4e6]
+        diagram.save(tmp_path / 'cells.gpkg')
+        cells = geopandas.read_file(tmp_path / 'cells.gpkg')
+        assert cells.crs.to_epsg() == 25832 and cells['area_km2'].tolist() == [4, 4]
 
 
 def test_cells_around_a_pole_are_polygons(tmp_path):

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "base/try.h"
+#include "cli/cells_by.h"
 #include "cli/commands/command.h"
 #include "cli/drawing.h"
 #include "cli/options/cells_outputs.h"
@@ -44,11 +45,19 @@ Result<void> checkCommand(CellsCommand& command, const CommandRun& run) {
   if (is_free && !targets.edges.empty()) {
     return inputError("--edges: cells with a free surface have arcs between them and air; -o has them");
   }
+  if (!targets.triangulation.empty() && (is_free || command.input.periodic != Periodic::none)) {
+    return inputError(
+        fmt::format("--triangulation: there is none {}; --edges has the edges of cells",
+                    is_free ? "of cells with a free surface" : "in a domain that repeats itself"));
+  }
   const std::string& format = command.input.format.output;
   if (!format.empty() && command.input.sites != "-" && !targets.useStandardOutput()) {
     return inputError("--format: neither --sites - nor -o - is there to take it");
   }
-  return takeFormat(command.targets, format);
+  if (command.input.by.empty()) return takeFormat(command.targets, format);
+  if (!command.density.empty()) return inputError("--by: pieces have areas, and no masses of a --density");
+  if (is_free) return inputError("--by: cells with a free surface have no pieces");
+  return takePiecesFormat(command.targets, format);
 }
 
 /// Returns the parts of the cells that the outputs and the check need.
@@ -70,7 +79,8 @@ bool mayBeTiled(const CellsCommand& command) {
 
 /// Returns further advice for a run that needs too much memory.
 std::string_view adviceOn(const CellsCommand& command) {
-  const bool helps = !command.targets.only_measures && command.targets.edges.empty() && mayBeTiled(command);
+  const bool helps = !command.targets.only_measures && command.targets.edges.empty() &&
+                     command.targets.triangulation.empty() && mayBeTiled(command);
   return helps ? "; areas, centroids and numbers of neighbors alone need less: --detail measures" : "";
 }
 
@@ -85,7 +95,8 @@ void planDiagram(const CellsCommand& command, std::uint64_t density_pixels, std:
   if (command.check) planCellsCheck(plan, work, detail);
   for (const CellsTarget& target : command.targets.cells)
     planCellsFile(plan, work, *target.format, attribute_bytes);
-  planEdgesFiles(plan, work, command.targets.edgesFormats());
+  planEdgesFiles(plan, work, formatsOf(command.targets.edges));
+  planTriangulationFiles(plan, work, formatsOf(command.targets.triangulation));
 }
 
 /// Returns the options of the cells, except the progress; adds notes on the density to the input.
@@ -111,8 +122,10 @@ std::string geoJsonPath(const CellsTargets& targets) {
   for (const CellsTarget& target : targets.cells) {
     if (isGeoJson(target.format->extension)) return target.path;
   }
-  for (const EdgesTarget& target : targets.edges) {
-    if (isGeoJson(target.format->extension)) return target.path;
+  for (const auto& edges : {targets.edges, targets.triangulation}) {
+    for (const EdgesTarget& target : edges) {
+      if (isGeoJson(target.format->extension)) return target.path;
+    }
   }
   return {};
 }
@@ -125,7 +138,7 @@ void printCellsNotes(const TalkOptions& talk, const CellsTargets& targets, const
     if (!talk.quiet && !text.empty()) printNote(text);
   };
   if (targets.only_cells) note(leftOutNote(output.diagram));
-  if (targets.carryAttributes()) note(renamingNote(output.attributes));
+  if (targets.carryAttributes()) note(renamingNote(output.attributes, addedFields(output)));
   const std::string geojson = geoJsonPath(targets);
   if (output.system.kind == CoordinateKind::plane && !geojson.empty()) {
     note(
@@ -138,6 +151,9 @@ void printCellsNotes(const TalkOptions& talk, const CellsTargets& targets, const
 /// Writes the files, converted back to degrees if the input was projected.
 Result<void> writeFiles(const CellsCommand& command, CommandRun& run, Input& input, Diagram& diagram) {
   const int threads = command.backend.threads;
+  VORPIPE_LET(names, namesOf(command.targets, input.attributes));
+  TriangulationLines triangulation;
+  if (!command.targets.triangulation.empty()) triangulation = triangulationLines(input.sites, diagram);
   Topology topology;
   if (!command.targets.edges.empty()) {
     VORPIPE_VAR(found, topologyOf(diagram, threads));
@@ -146,17 +162,24 @@ Result<void> writeFiles(const CellsCommand& command, CommandRun& run, Input& inp
   if (input.projection) toDegrees(*input.projection, topology, threads);
   backToDegrees(input, diagram, threads);
   RunOutput output{input, diagram.report};
-  const CellsOutput cells{input.sites, diagram, input.attributes, input.system, command.targets.only_cells,
-                          threads};
+  const CellsOutput cells{
+      input.sites, diagram, input.attributes,     input.system, command.targets.only_cells,
+      threads,     names,   command.targets.share};
   for (const CellsTarget& target : command.targets.cells) {
     output.writers.emplace_back(
         [&, format = target.format](ByteSink& to) { return writeCells(to, cells, *format); });
   }
-  for (const EdgesTarget& target : command.targets.edges) {
-    output.writers.emplace_back([&, format = target.format](ByteSink& to) {
-      return writeEdges(to, {diagram, topology, input.system, threads}, *format);
-    });
-  }
+  const auto addLines = [&](const std::vector<EdgesTarget>& targets, LinesOutput lines) {
+    lines.threads = threads;
+    lines.names = names;
+    for (const EdgesTarget& target : targets) {
+      output.writers.emplace_back(
+          [lines, format = target.format](ByteSink& to) { return writeLines(to, lines, *format); });
+    }
+  };
+  if (!command.targets.edges.empty())
+    addLines(command.targets.edges, edgesOf(diagram, topology, input.system));
+  addLines(command.targets.triangulation, linesOf(triangulation, input.sites, input.system));
   output.figures = [&](nlohmann::ordered_json& json) { addSums(json, diagram); };
   VORPIPE_TRY(run.write(output));
   printCellsNotes(command.talk, command.targets, cells);
@@ -165,6 +188,7 @@ Result<void> writeFiles(const CellsCommand& command, CommandRun& run, Input& inp
 
 /// Computes the cells of an input, and writes them.
 Result<ExitCode> computeCells(const CellsCommand& command, CommandRun& run, Input& input) {
+  VORPIPE_TRY(namesOf(command.targets, input.attributes));
   VORPIPE_VAR(options, cellsOptions(command, input));
   VORPIPE_TRY(checkInput(command.input, input, options, command.backend.threads));
   if (command.surface == Surface::free) {
@@ -196,11 +220,13 @@ Result<ExitCode> cells(CellsCommand& command, const Invocation& how) {
   CommandRun run("cells", command, how, command.targets.paths());
   VORPIPE_TRY(checkCommand(command, run));
   InputOptions from = command.input;
-  from.reading.attributes = command.targets.carryAttributes();
+  from.reading.attributes = command.targets.carryAttributes() || !command.targets.id.empty();
+  from.reading.needed = neededFor(command.targets);
   if (!command.targets.only_measures || !mayBeTiled(command)) {
     const std::uint64_t pixels = command.density.empty() ? 0 : 1;
     const PlanRun plan = std::bind_front(planDiagram, std::cref(command), pixels, std::uint64_t{0});
     VORPIPE_VAR(input, run.load(from, plan, adviceOn(command)));
+    if (input.part_names) return writePiecesOf(run, command.input, input, command.targets);
     return computeCells(command, run, input);
   }
   VORPIPE_VAR(tiled, loadTiled(run, from));
@@ -220,6 +246,11 @@ void addCells(CommandLine& line) {
                          "(Laguerre or radical cells)",
                          [command](const Invocation& how) { return cells(*command, how); });
   addInputOptions(options, command->input).required();
+  options.addText(
+      "--by", command->input.by, "NAME",
+      "cells in each feature of --domain by itself, which this attribute names: a record for each "
+      "feature and each site whose cell meets it, with the area and its share of the feature; "
+      "features of one name are one");
   options.group("Output");
   addCellsTargets(options, command->targets);
   options.group("Cells");

@@ -4,6 +4,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <array>
 #include <utility>
 
 #include "cli/options/options.h"
@@ -20,6 +21,12 @@ Parsed<CellsTarget> parseCells(std::string_view text) {
 
 Parsed<EdgesTarget> parseEdges(std::string_view text) { return parseNamed<EdgesTarget>(text, edgesFormatOf); }
 
+/// Parses @NAME, an attribute.
+Parsed<std::string> parseAttribute(std::string_view text) {
+  if (text.size() > 1 && text.starts_with('@')) return std::string(text.substr(1));
+  return tl::unexpected(fmt::format("{} is not @NAME, an attribute of the sites", inQuotes(text)));
+}
+
 /// Parses --detail: whether only measures are wanted.
 Parsed<bool> parseDetail(std::string_view text) {
   if (text == "measures" || text == "all") return text == "measures";
@@ -29,7 +36,8 @@ Parsed<bool> parseDetail(std::string_view text) {
 /// Sets the format for --detail measures.
 Result<void> takeMeasures(CellsTargets& targets) {
   const auto is_other = [](const CellsTarget& target) { return target.format->extension != ".npz"; };
-  if (!targets.edges.empty() || targets.cells.empty() || std::ranges::any_of(targets.cells, is_other)) {
+  const bool lines = !targets.edges.empty() || !targets.triangulation.empty();
+  if (lines || targets.cells.empty() || std::ranges::any_of(targets.cells, is_other)) {
     return inputError("--detail: measures alone go to a file of arrays: -o FILE.npz, and no other");
   }
   for (CellsTarget& target : targets.cells) target.format = &npz_measures;
@@ -57,19 +65,44 @@ std::vector<std::string> CellsTargets::paths() const {
   std::vector<std::string> paths;
   for (const CellsTarget& target : cells) paths.push_back(target.path);
   for (const EdgesTarget& target : edges) paths.push_back(target.path);
+  for (const EdgesTarget& target : triangulation) paths.push_back(target.path);
   return paths;
 }
 
 Detail CellsTargets::detail() const {
+  if (!triangulation.empty()) return Detail::everything;
   Detail detail = edges.empty() ? Detail::measures : Detail::polygons;
   for (const CellsTarget& target : cells) detail = std::max(detail, target.format->detail);
   return detail;
 }
 
-std::vector<const EdgesFormat*> CellsTargets::edgesFormats() const {
+std::vector<const EdgesFormat*> formatsOf(const std::vector<EdgesTarget>& targets) {
   std::vector<const EdgesFormat*> formats;
-  for (const EdgesTarget& target : edges) formats.push_back(target.format);
+  for (const EdgesTarget& target : targets) formats.push_back(target.format);
   return formats;
+}
+
+std::optional<NeededAttribute> neededFor(const CellsTargets& targets) {
+  if (targets.id.empty()) return std::nullopt;
+  const auto check = [](std::string_view name) -> tl::expected<void, std::string> {
+    constexpr std::array walls = {Wall::xmin, Wall::xmax, Wall::ymin, Wall::ymax, Wall::outline};
+    const auto is = [name](Wall wall) { return nameOf(wall) == name; };
+    if (std::ranges::any_of(walls, is))
+      return tl::unexpected(fmt::format("{} is the name of a wall among neighbors", inQuotes(name)));
+    if (name.find(';') == std::string_view::npos) return {};
+    return tl::unexpected(fmt::format("{} has a semicolon, which separates neighbors", inQuotes(name)));
+  };
+  return NeededAttribute{targets.id, check, /*unique=*/true};
+}
+
+Result<const Attribute*> namesOf(const CellsTargets& targets, std::span<const Attribute> attributes) {
+  if (targets.id.empty()) return nullptr;
+  const auto found = std::ranges::find(attributes, targets.id, &Attribute::name);
+  if (found != attributes.end()) return &*found;
+  std::vector<std::string> names;
+  for (const Attribute& attribute : attributes) names.push_back(inQuotes(attribute.name()));
+  return inputError(fmt::format("--id: the sites have no attribute {}{}{}", inQuotes(targets.id),
+                                names.empty() ? "" : "; they have ", fmt::join(names, ", ")));
 }
 
 bool CellsTargets::carryAttributes() const {
@@ -97,6 +130,20 @@ void addCellsTargets(Options& options, CellsTargets& targets) {
                   fmt::join(edges, ", ")),
       parseEdges, [&targets](EdgesTarget target) { targets.edges.push_back(std::move(target)); },
       {{}, {edges.begin(), edges.end()}});
+  addRepeatable(
+      options, "--triangulation", "FILE",
+      fmt::format(
+          "the edges of the Delaunay triangulation of all sites, whatever the domain, in the same way: "
+          "{}; with weights, of the regular one; repeatable",
+          fmt::join(edges, ", ")),
+      parseEdges, [&targets](EdgesTarget target) { targets.triangulation.push_back(std::move(target)); },
+      {{}, {edges.begin(), edges.end()}});
+  addParsed(options, "--id", targets.id, "@NAME",
+            "names sites by this attribute, which is another for each, where they are neighbors, owners and "
+            "ends of edges [their numbers]",
+            parseAttribute, {{"@"}, {}});
+  options.addFlag("--share", targets.share,
+                  "adds each cell's share of the area of all, where files have attributes");
   options.addFlag(
       "--only-cells", targets.only_cells,
       fmt::format("leaves out sites without a cell, in files of features: {}", extensionsOfFeatures()));
@@ -124,6 +171,14 @@ Result<void> takeFormat(CellsTargets& targets, const std::string& kind) {
   if (targets.only_cells && std::ranges::none_of(targets.cells, has_features)) {
     return inputError(fmt::format("--only-cells: there is no output with features to leave out: -o with {}",
                                   extensionsOfFeatures()));
+  }
+  const auto named = [](const EdgesTarget& target) { return target.format->names; };
+  if (!targets.id.empty() && !targets.carryAttributes() && std::ranges::none_of(targets.edges, named) &&
+      std::ranges::none_of(targets.triangulation, named)) {
+    return inputError("--id: there is no output with names of sites: .csv, .geojson, .geojsonl or .gpkg");
+  }
+  if (targets.share && !targets.carryAttributes()) {
+    return inputError("--share: there is no output with shares: -o with .csv, .geojson, .geojsonl or .gpkg");
   }
   return targets.only_measures ? takeMeasures(targets) : Result<void>{};
 }

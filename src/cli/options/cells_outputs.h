@@ -1,6 +1,8 @@
 /// The outputs of `cells`: files of cells and of edges.
 #pragma once
 
+#include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -9,6 +11,7 @@
 #include "cli/options/parse.h"
 #include "io/cells/cells_file.h"
 #include "io/cells/edges_file.h"
+#include "io/sites/sites_file.h"
 #include "vorpipe.h"
 
 namespace vorpipe::cli {
@@ -25,7 +28,9 @@ struct EdgesTarget {
 
 struct CellsTargets {
   std::vector<CellsTarget> cells;
-  std::vector<EdgesTarget> edges;
+  std::vector<EdgesTarget> edges, triangulation;
+  std::string id;  ///< attribute that names sites in lists of them; empty: their numbers do
+  bool share = false;
   bool only_cells = false;
   bool only_measures = false;
 
@@ -33,20 +38,28 @@ struct CellsTargets {
   [[nodiscard]] std::vector<std::string> paths() const;
   /// Returns the parts of a Diagram that the files need.
   [[nodiscard]] Detail detail() const;
-  [[nodiscard]] std::vector<const EdgesFormat*> edgesFormats() const;
   /// Whether one of the files has the input's attributes.
   [[nodiscard]] bool carryAttributes() const;
   /// Whether one of the files is standard output.
   [[nodiscard]] bool useStandardOutput() const;
 };
 
-/// -o, --edges, --only-cells, --detail
+/// Returns the formats of files of lines.
+std::vector<const EdgesFormat*> formatsOf(const std::vector<EdgesTarget>& targets);
+
+/// Returns what readers need so that --id can name each site; none without --id.
+std::optional<NeededAttribute> neededFor(const CellsTargets& targets);
+
+/// Returns the attribute of --id; null without it. Error (input): there is none of that name.
+Result<const Attribute*> namesOf(const CellsTargets& targets, std::span<const Attribute> attributes);
+
+/// -o, --edges, --triangulation, --id, --share, --only-cells, --detail
 void addCellsTargets(Options& options, CellsTargets& targets);
 
 /// Sets the format of standard output: the extension `kind` without its dot, or csv. Also rejects
 /// contradictions. Errors (input): the kind is no format of cells; standard output is named twice;
-/// --only-cells has nothing to leave out; --detail measures, for which .npz has a format of its own, has
-/// another output.
+/// --only-cells has nothing to leave out; --id or --share has no output that holds it; --detail measures, for
+/// which .npz has a format of its own, has another output.
 Result<void> takeFormat(CellsTargets& targets, const std::string& kind);
 
 }  // namespace vorpipe::cli

@@ -63,7 +63,14 @@ Parsed<ProjectChoice> parseProject(std::string_view text) {
   return ProjectChoice{center};
 }
 
-/// --domain, --domain-layer, --margin, --repair, --project
+/// A coordinate system by a code of EPSG.
+Parsed<CoordinateSystem> parseSystem(std::string_view text) {
+  auto system = systemNamed(text);
+  if (system) return std::move(*system);
+  return tl::unexpected(fmt::format("{}, as in EPSG:25832", system.error()));
+}
+
+/// --domain, --domain-layer, --margin, --repair, --project, --crs
 void addDomainOptions(Options& options, InputOptions& input, const Option& sites) {
   addParsed(options, "--domain", input.domain, "BOX, FILE or hull",
             fmt::format(
@@ -94,6 +101,12 @@ void addDomainOptions(Options& options, InputOptions& input, const Option& sites
       "the sites and the domain are in degrees: cells are made in an equal-area plane around their middle, "
       "or around LON,LAT; positions come back in degrees, areas in square kilometers",
       parseProject, {{"auto"}, {}})
+      .needs(sites);
+  addParsed(
+      options, "--crs", input.crs, "EPSG:N",
+      "coordinate system of sites, and of an outline, whose files name none: outputs that can name it do "
+      "[that of the outline, for sites that name none]",
+      parseSystem, {{"EPSG:"}, {}})
       .needs(sites);
 }
 

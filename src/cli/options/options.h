@@ -11,6 +11,7 @@
 #include "base/try.h"
 #include "cli/options/command_line.h"
 #include "cli/options/parse.h"
+#include "io/base/coordinate_system.h"
 #include "io/sites/site_domain.h"
 #include "io/sites/sites_file.h"
 #include "vorpipe.h"
@@ -73,8 +74,10 @@ struct InputOptions {
   std::uint64_t seed = 1;
   DomainChoice domain;
   std::string domain_layer;  ///< of the domain's file
+  std::string by;            ///< attribute of its features, each of which is a domain by itself
   std::optional<Margin> margin;
   std::optional<ProjectChoice> project;
+  std::optional<CoordinateSystem> crs;  ///< of files that name none
   bool repair = false;
   std::string weights;  ///< a file
   std::optional<WeightRange> random_weights;

@@ -28,8 +28,10 @@ std::string lastWord(std::string_view text) {
   return lowerCase(text.substr(static_cast<std::size_t>(begin - text.begin())));
 }
 
-/// Returns the AUTHORITY or ID in the outermost brackets of a definition; empty if there is none.
-std::string_view outermostId(std::string_view text) {
+/// Calls `visit(depth, word, rest)` for each opening bracket outside quotes, until it returns true: `word`
+/// precedes the bracket, in lower case; `rest` follows it; `depth` counts the brackets around it.
+template <class Visit>
+void eachBracket(std::string_view text, const Visit& visit) {
   std::size_t depth = 0;
   bool quoted = false;
   for (std::size_t k = 0; k < text.size(); ++k) {
@@ -38,13 +40,35 @@ std::string_view outermostId(std::string_view text) {
     if (quoted) continue;
     if (c == ']' || c == ')') depth -= depth > 0 ? 1u : 0u;
     if (c != '[' && c != '(') continue;
-    if (depth++ != 1) continue;
-    const std::string word = lastWord(text.substr(0, k));
-    if (word != "authority" && word != "id") continue;
-    const std::string_view rest = text.substr(k + 1);
-    return rest.substr(0, rest.find_first_of("])"));
+    if (visit(depth++, lastWord(text.substr(0, k)), text.substr(k + 1))) return;
   }
-  return {};
+}
+
+/// Returns the AUTHORITY or ID in the outermost brackets of a definition; empty if there is none.
+std::string_view outermostId(std::string_view text) {
+  std::string_view id;
+  eachBracket(text, [&](std::size_t depth, const std::string& word, std::string_view rest) {
+    if (depth != 1 || (word != "authority" && word != "id")) return false;
+    id = rest.substr(0, rest.find_first_of("])"));
+    return true;
+  });
+  return id;
+}
+
+/// Returns the meters in a unit of length of the plane that a definition describes; none if it does not say.
+std::optional<double> metersInWkt(std::string_view text) {
+  std::optional<double> meters;
+  eachBracket(text, [&](std::size_t depth, const std::string& word, std::string_view rest) {
+    // In WKT 2 the unit may be that of each axis.
+    const bool unit = (word == "unit" && depth == 1) || (word == "lengthunit" && (depth == 1 || depth == 2));
+    const std::size_t comma = rest.find("\",");
+    if (!unit || comma == std::string_view::npos) return false;
+    const std::string_view factor = rest.substr(comma + 2);
+    const auto number = parseNumber(trimmed(factor.substr(0, factor.find_first_of(",])"))));
+    if (number && *number > 0) meters = *number;
+    return meters.has_value();
+  });
+  return meters;
 }
 
 /// Takes an id: "EPSG","25832", the second also without quotes.
@@ -141,6 +165,45 @@ std::int64_t usualCode(std::int64_t code) {
   return std::ranges::find(others, code) == others.end() ? code : web_mercator;
 }
 
+/// Codes of EPSG whose unit is the meter: zones of UTM, and national grids. Not all that there are.
+struct CodeRange {
+  std::int64_t first, last;
+};
+constexpr std::array metric_ranges = {
+    CodeRange{32601, 32660}, CodeRange{32701, 32760},  // WGS 84 / UTM
+    CodeRange{25828, 25838}, CodeRange{23028, 23038},  // ETRS89 and ED50 / UTM
+    CodeRange{26901, 26923}, CodeRange{31965, 31985},  // NAD83 and SIRGAS 2000 / UTM
+    CodeRange{28348, 28358}, CodeRange{7846, 7859},    // Australia: MGA94, MGA2020
+    CodeRange{31466, 31469}, CodeRange{31254, 31259},  // Gauss-Krueger of Germany, of Austria
+    CodeRange{3942, 3950},   CodeRange{2176, 2179},    // France: CC42 to CC50; Poland: CS2000
+    CodeRange{3007, 3018},   CodeRange{7791, 7793},    // SWEREF99 by zones; Italy: RDN2008
+    CodeRange{2443, 2461},   CodeRange{6669, 6687}};   // Japan
+constexpr std::array<std::int64_t, 50> metric_codes = {
+    2154, 27700, 2157, 29902, 29903, 31370, 3812, 28992, 2056, 21781, 31287, 3416, 3034,
+    3035, 4647,  3003, 3004,  3763,  2100,  3765, 3794,  2180, 5514,  3006,  3067, 3301,
+    3059, 3346,  3844, 23700, 2193,  27200, 3577, 3111,  3005, 3347,  3978,  3979, 5070,
+    6350, 6933,  8857, 2326,  3414,  5179,  5186, 3826,  2039, 9377,  5880};
+
+bool isMetricCode(std::int64_t code) {
+  const auto holds = [code](const CodeRange& range) { return code >= range.first && code <= range.last; };
+  return std::ranges::any_of(metric_ranges, holds) ||
+         std::ranges::find(metric_codes, code) != metric_codes.end();
+}
+
+/// Whether a definition is of a Mercator projection that is neither transverse nor oblique.
+bool isMercator(std::string_view definition) {
+  const std::string letters = lettersOf(definition);
+  constexpr std::string_view word = "mercator";
+  const auto upright = [&](std::size_t at) {
+    const std::string_view before = std::string_view(letters).substr(0, at);
+    return !before.ends_with("transverse") && !before.ends_with("oblique");
+  };
+  for (std::size_t at = letters.find(word); at != std::string::npos; at = letters.find(word, at + 1)) {
+    if (upright(at)) return true;
+  }
+  return false;
+}
+
 bool hasCode(const CoordinateSystem& system) {
   return system.code > 0 && !system.organization.empty() && system.organization != "NONE";
 }
@@ -232,6 +295,20 @@ SystemsAre compared(const CoordinateSystem& a, const CoordinateSystem& b) {
       return isNearWgs84(a.code) && isNearWgs84(b.code) ? near : different;
   }
   return readTheSame(a.definition, b.definition) ? one : unclear;
+}
+
+std::optional<double> squareKilometersIn(const CoordinateSystem& system) {
+  constexpr std::int64_t web_mercator = 3857, world_mercator = 3395;
+  constexpr double meters_in_kilometer = 1000;
+  if (system.equal_area_center) return 1;
+  const std::int64_t code = system.organization == "EPSG" ? usualCode(system.code) : 0;
+  if (system.kind != CoordinateKind::plane || code == web_mercator || code == world_mercator) return {};
+  if (isMercator(system.definition)) return {};
+  auto meters = metersInWkt(system.definition);
+  if (!meters && isMetricCode(code)) meters = 1;
+  if (!meters) return {};
+  const double kilometers = *meters / meters_in_kilometer;
+  return kilometers * kilometers;
 }
 
 Result<void> readSystemBeside(const std::string& path, CoordinateSystem& system) {

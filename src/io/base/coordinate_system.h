@@ -64,6 +64,13 @@ SystemsAre compared(const CoordinateSystem& a, const CoordinateSystem& b);
 /// The kind of the system that text defines.
 CoordinateKind kindOfWkt(std::string_view definition);
 
+/// Square kilometers in a unit of area of a plane whose unit of length is known: from its definition, else by
+/// its code of EPSG, if that is of the usual systems in meters. None for degrees, and for a Mercator
+/// projection that is not transverse, such as Web Mercator: areas there are not those on the Earth. For a
+/// plane of
+/// --project, 1.
+std::optional<double> squareKilometersIn(const CoordinateSystem& system);
+
 /// Reads the .prj beside a file, "towns.prj" for "towns.csv" and "towns.csv.gz", if it exists and nothing
 /// else names the file's system. `system` is the file's, and gets what is read. Errors (input): the .prj is
 /// no WKT definition, or its kind of coordinates differs from that of `system`.

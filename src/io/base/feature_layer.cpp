@@ -104,14 +104,14 @@ tl::unexpected<Error> FeatureLayer::failed(int code) const {
   return device ? deviceError(message) : inputError(message);
 }
 
-Result<void> FeatureLayer::openDatabase() {
-  VORPIPE_VAR(file, InputFile::open(path_));
+Result<void> FeatureLayer::openDatabase(const std::string& path) {
+  VORPIPE_VAR(file, InputFile::open(path));
   std::array<char, sqlite_header_size> header{};
   VORPIPE_LET(got, file.read(header));
   if (!std::string_view(header.data(), got).starts_with(sqlite_magic)) {
     return inputError(fmt::format("{}: is no GeoPackage: it does not begin with \"SQLite format 3\"", path_));
   }
-  const std::string address = sqliteAddress(path_, header);
+  const std::string address = sqliteAddress(path, header);
   sqlite3* database = nullptr;
   const int code =
       sqlite3_open_v2(address.c_str(), &database, SQLITE_OPEN_READONLY | SQLITE_OPEN_URI, nullptr);
@@ -231,9 +231,10 @@ Result<void> FeatureLayer::select() {
   return {};
 }
 
-Result<FeatureLayer> FeatureLayer::open(const std::string& path, const std::string& name, LayerOf kind) {
+Result<FeatureLayer> FeatureLayer::open(const std::string& path, const std::string& name, LayerOf kind,
+                                        const std::string& converted) {
   FeatureLayer layer(path);
-  VORPIPE_TRY(layer.openDatabase());
+  VORPIPE_TRY(layer.openDatabase(converted.empty() ? path : converted));
   VORPIPE_TRY(layer.chooseLayer(name, kind));
   VORPIPE_TRY(layer.findColumns());
   VORPIPE_TRY(layer.findSystem());

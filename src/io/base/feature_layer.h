@@ -30,7 +30,9 @@ class FeatureLayer {
  public:
   /// Opens a file for reading. `name` is the layer's; empty: the only one of that kind. Errors: the file is
   /// no GeoPackage, or has no such layer or several (input); reading failed, memory ran out (device).
-  static Result<FeatureLayer> open(const std::string& path, const std::string& name, LayerOf kind);
+  /// Messages name `path`; `converted` is what is opened in its place, if it is not empty.
+  static Result<FeatureLayer> open(const std::string& path, const std::string& name, LayerOf kind,
+                                   const std::string& converted = {});
 
   [[nodiscard]] const std::string& name() const { return name_; }
   [[nodiscard]] const CoordinateSystem& system() const { return system_; }
@@ -52,7 +54,7 @@ class FeatureLayer {
  private:
   explicit FeatureLayer(std::string path) : path_(std::move(path)) {}
   [[nodiscard]] tl::unexpected<Error> failed(int code) const;
-  Result<void> openDatabase();
+  Result<void> openDatabase(const std::string& path);
   Result<Statement> prepare(const std::string& sql, std::string_view parameter) const;
   Result<bool> step(const Statement& statement) const;
   template <class Use>

@@ -16,14 +16,15 @@ namespace vorpipe {
 namespace {
 
 /// Returns the names of attributes beside fields, whose names are separated by blanks.
-std::vector<std::string> namesBeside(const std::string& fields, std::span<const Attribute> attributes) {
+std::vector<std::string> namesBeside(const std::string& fields, std::span<const Attribute> attributes,
+                                     std::string_view prefix = "input_") {
   std::istringstream words(fields);
   std::unordered_set<std::string> taken(std::istream_iterator<std::string>(words), {});
   taken.insert("");
   std::vector<std::string> names;
   for (const Attribute& attribute : attributes) {
     std::string name = attribute.name();
-    while (!taken.insert(lowerCase(name)).second) name.insert(0, "input_");
+    while (!taken.insert(lowerCase(name)).second) name.insert(0, prefix);
     names.push_back(std::move(name));
   }
   return names;
@@ -31,13 +32,33 @@ std::vector<std::string> namesBeside(const std::string& fields, std::span<const 
 
 }  // namespace
 
-std::vector<std::string> attributeNames(std::span<const Attribute> attributes) {
+std::vector<AddedField> addedFields(const CellsOutput& output) {
+  std::vector<AddedField> added;
+  // The areas of a projection are square kilometers, whatever the system of its degrees.
+  if (const auto unit = squareKilometersIn(output.system)) added.push_back({"area_km2", 1 / *unit});
+  if (output.share) added.push_back({"share", areaSum(output.diagram)});
+  return added;
+}
+
+std::vector<std::string> attributeNames(std::span<const Attribute> attributes,
+                                        std::span<const AddedField> added) {
   // The fields of all formats, so that an attribute has the same name in each; fid and geom are GeoPackage's.
-  return namesBeside(
+  std::string fields =
       "fid geom site x y weight status owner area perimeter centroid centroid_x centroid_y vertices "
       "neighbors "
-      "rings mass neighbor_shifts mass_centroid mass_centroid_x mass_centroid_y",
-      attributes);
+      "rings mass neighbor_shifts mass_centroid mass_centroid_x mass_centroid_y";
+  for (const AddedField& field : added) fields.append(" ").append(field.name);
+  return namesBeside(fields, attributes);
+}
+
+std::vector<std::string> pieceAttributeNames(const Attribute& by, std::span<const Attribute> attributes) {
+  const std::string fields = "fid geom site x y weight area area_km2 share ";
+  std::vector<std::string> names = namesBeside(fields, {&by, 1}, "feature_");
+  // An attribute may have blanks in its name, which separate fields.
+  std::vector<Attribute> beside;
+  beside.emplace_back(names.front());
+  for (const Attribute& attribute : attributes) beside.emplace_back(attribute.name());
+  return namesBeside(fields, beside, "site_");
 }
 
 std::vector<std::string> pointAttributeNames(std::span<const Attribute> attributes) {
@@ -47,8 +68,8 @@ std::vector<std::string> pointAttributeNames(std::span<const Attribute> attribut
       attributes);
 }
 
-std::string renamingNote(std::span<const Attribute> attributes) {
-  const auto names = attributeNames(attributes);
+std::string renamingNote(std::span<const Attribute> attributes, std::span<const AddedField> added) {
+  const auto names = attributeNames(attributes, added);
   std::string renamed;
   for (std::size_t k = 0; k < names.size(); ++k) {
     // The column `fid` holds a GeoPackage's row numbers: users need no note of its renaming.
@@ -102,14 +123,35 @@ void addAttributeFields(std::vector<LayerField>& fields, std::span<const Attribu
   }
 }
 
+std::string_view nameOfSite(const Attribute& names, std::int64_t site) {
+  if (isWall(site)) return nameOf(static_cast<Wall>(site));
+  return names.at(static_cast<std::size_t>(site)).value_or("");
+}
+
 std::string_view statusWord(Status status) {
   return status == Status::ok ? "ok" : status == Status::empty ? "empty" : "duplicate";
 }
 
-void printNeighbors(Bytes& text, const Diagram& diagram, std::size_t site) {
-  const auto neighbors = diagram.cell(site).neighbors();
-  join(text, neighbors.size(), " ",
-       [&](Bytes& out, std::size_t k) { print(out, FMT_COMPILE("{}"), neighbors[k]); });
+void printNeighbors(Bytes& text, const CellsOutput& output, std::size_t site) {
+  const auto neighbors = output.diagram.cell(site).neighbors();
+  const Attribute* const names = output.names;
+  join(text, neighbors.size(), names == nullptr ? " " : ";", [&](Bytes& out, std::size_t k) {
+    if (names == nullptr) {
+      print(out, FMT_COMPILE("{}"), neighbors[k]);
+    } else {
+      out.append(nameOfSite(*names, neighbors[k]));
+    }
+  });
+}
+
+void printJsonSite(Bytes& text, const Attribute* names, std::int64_t site) {
+  if (names == nullptr) {
+    print(text, FMT_COMPILE("{}"), site);
+  } else if (isWall(site)) {
+    print(text, FMT_COMPILE(R"("{}")"), nameOf(static_cast<Wall>(site)));
+  } else {
+    printJsonValue(text, *names, static_cast<std::size_t>(site));
+  }
 }
 
 void printShifts(Bytes& text, const Diagram& diagram, std::size_t site) {

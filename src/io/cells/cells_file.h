@@ -22,6 +22,8 @@ struct CellsOutput {
   CoordinateSystem system{};                ///< of all positions
   bool only_cells = false;                  ///< in formats of features: leaves out records without a polygon
   int threads = 0;                          ///< that format text; 0 for all
+  const Attribute* names = nullptr;  ///< of sites, in place of their numbers among neighbors and as owners
+  bool share = false;                ///< adds each cell's part of the area of all
 };
 
 /// A kind of file for cells. Each has a writer in cells_writers.h, and a line in cells_file.cpp.

@@ -1,4 +1,5 @@
 // Cells as text: .csv, .geojson, .geojsonl and .wkt.
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -13,7 +14,10 @@
 namespace vorpipe {
 namespace {
 
-Bytes headerOf(const CellsOutput& output) {
+/// Whether a site has the place, and so the cell, of another.
+bool hasDuplicates(const Diagram& diagram) { return diagram.report.duplicate > 0; }
+
+Bytes headerOf(const CellsOutput& output, std::span<const AddedField> added) {
   const Diagram& diagram = output.diagram;
   Bytes text;
   print(text,
@@ -21,20 +25,29 @@ Bytes headerOf(const CellsOutput& output) {
         diagram.neighbor_shifts.empty() ? "" : ",neighbor_shifts",
         diagram.ring_starts.empty() ? "" : ",rings",
         diagram.mass.empty() ? "" : ",mass,mass_centroid_x,mass_centroid_y");
-  printCsvNames(text, attributeNames(output.attributes));
+  if (hasDuplicates(diagram)) text.append(std::string_view(",owner"));
+  for (const AddedField& field : added) print(text, FMT_COMPILE(",{}"), field.name);
+  printCsvNames(text, attributeNames(output.attributes, added));
   text.push_back('\n');
   return text;
 }
 
 /// Appends a row with the columns of headerOf().
-void printRecord(Bytes& text, const CellsOutput& output, std::size_t site) {
+void printRecord(Bytes& text, const CellsOutput& output, std::span<const AddedField> added,
+                 std::size_t site) {
   const Sites& sites = output.sites;
   const Diagram& diagram = output.diagram;
   print(text, FMT_COMPILE("{},{},{},{},{},{},{},{},{},{},"), site, sites.x[site], sites.y[site],
         sites.weight.empty() ? 0.0 : sites.weight[site], statusWord(diagram.status[site]), diagram.area[site],
         diagram.perimeter[site], diagram.centroid[site].x, diagram.centroid[site].y,
         diagram.cell(site).edges());
-  printNeighbors(text, diagram, site);
+  if (output.names == nullptr) {
+    printNeighbors(text, output, site);
+  } else {
+    Bytes names;
+    printNeighbors(names, output, site);
+    if (names.size() > 0) printCsvField(text, {names.data(), names.size()});
+  }
   if (!diagram.neighbor_shifts.empty()) {
     text.push_back(',');
     printShifts(text, diagram, site);
@@ -44,6 +57,15 @@ void printRecord(Bytes& text, const CellsOutput& output, std::size_t site) {
     const Point& centroid = diagram.mass_centroid[site];
     print(text, FMT_COMPILE(",{},{},{}"), diagram.mass[site], centroid.x, centroid.y);
   }
+  if (hasDuplicates(diagram)) {
+    const std::uint32_t owner = diagram.owner[site];
+    if (output.names == nullptr) {
+      print(text, FMT_COMPILE(",{}"), owner);
+    } else {
+      printCsvValues(text, {output.names, 1}, owner);
+    }
+  }
+  for (const AddedField& field : added) print(text, FMT_COMPILE(",{}"), diagram.area[site] / field.divisor);
   printCsvValues(text, output.attributes, site);
   text.push_back('\n');
 }
@@ -66,11 +88,16 @@ void printPolygons(Bytes& text, const ListText& list, const CellPolygons& cell, 
             [&](Bytes& polygons, std::size_t p) { printPolygon(polygons, list, cell[p], put); });
 }
 
-void printProperties(Bytes& text, const Sites& sites, const Diagram& diagram, std::size_t site) {
+void printProperties(Bytes& text, const CellsOutput& output, std::span<const AddedField> added,
+                     std::size_t site) {
+  const Sites& sites = output.sites;
+  const Diagram& diagram = output.diagram;
   print(text, FMT_COMPILE(R"("properties":{{"x":{},"y":{},)"), sites.x[site], sites.y[site]);
   if (!sites.weight.empty()) print(text, FMT_COMPILE(R"("weight":{},)"), sites.weight[site]);
-  print(text, FMT_COMPILE(R"("status":"{}","owner":{},"area":{},"perimeter":{},"centroid":)"),
-        statusWord(diagram.status[site]), diagram.owner[site], diagram.area[site], diagram.perimeter[site]);
+  print(text, FMT_COMPILE(R"("status":"{}","owner":)"), statusWord(diagram.status[site]));
+  printJsonSite(text, output.names, diagram.owner[site]);
+  print(text, FMT_COMPILE(R"(,"area":{},"perimeter":{},"centroid":)"), diagram.area[site],
+        diagram.perimeter[site]);
   printJsonPoint(text, diagram.centroid[site]);
   if (!diagram.mass.empty()) {
     print(text, FMT_COMPILE(R"(,"mass":{},"mass_centroid":)"), diagram.mass[site]);
@@ -79,7 +106,7 @@ void printProperties(Bytes& text, const Sites& sites, const Diagram& diagram, st
   text.append(std::string_view(R"(,"neighbors":)"));
   const auto neighbors = diagram.cell(site).neighbors();
   printList(text, json_list, neighbors.size(),
-            [&](Bytes& out, std::size_t k) { print(out, FMT_COMPILE("{}"), neighbors[k]); });
+            [&](Bytes& out, std::size_t k) { printJsonSite(out, output.names, neighbors[k]); });
   if (!diagram.neighbor_shifts.empty()) {
     text.append(std::string_view(R"(,"neighbor_shifts":)"));
     const auto shifts = diagram.cell(site).shifts();
@@ -87,25 +114,17 @@ void printProperties(Bytes& text, const Sites& sites, const Diagram& diagram, st
       print(out, FMT_COMPILE("[{},{}]"), shifts[k][0], shifts[k][1]);
     });
   }
-}
-
-void printGeometry(Bytes& text, const CellPolygons& cell) {
-  if (cell.empty()) {
-    text.append(std::string_view(R"("geometry":null)"));
-    return;
-  }
-  print(text, FMT_COMPILE(R"("geometry":{{"type":"{}","coordinates":)"),
-        cell.size() > 1 ? "MultiPolygon" : "Polygon");
-  printPolygons(text, json_list, cell, printJsonPoint);
-  text.push_back('}');
+  for (const AddedField& field : added)
+    print(text, FMT_COMPILE(R"(,"{}":{})"), field.name, diagram.area[site] / field.divisor);
 }
 
 Result<void> writeCellFeatures(ByteSink& sink, FeaturesAs as, const CellsOutput& output) {
-  const auto keys = jsonKeys(attributeNames(output.attributes));
+  const auto added = addedFields(output);
+  const auto keys = jsonKeys(attributeNames(output.attributes, added));
   const auto put = [&](Bytes& text, std::size_t site) {
     if (output.only_cells && !hasPolygon(output.diagram, site)) return false;
     print(text, FMT_COMPILE(R"({{"type":"Feature","id":{},)"), site);
-    printProperties(text, output.sites, output.diagram, site);
+    printProperties(text, output, added, site);
     for (std::size_t k = 0; k < keys.size(); ++k) {
       text.push_back(',');
       text.append(keys[k]);
@@ -131,10 +150,22 @@ void printWkt(Bytes& text, const CellPolygons& cell) {
 
 }  // namespace
 
+void printGeometry(Bytes& text, const CellPolygons& cell) {
+  if (cell.empty()) {
+    text.append(std::string_view(R"("geometry":null)"));
+    return;
+  }
+  print(text, FMT_COMPILE(R"("geometry":{{"type":"{}","coordinates":)"),
+        cell.size() > 1 ? "MultiPolygon" : "Polygon");
+  printPolygons(text, json_list, cell, printJsonPoint);
+  text.push_back('}');
+}
+
 Result<void> writeCsvCells(ByteSink& sink, const CellsOutput& output) {
-  Bytes header = headerOf(output);
+  const auto added = addedFields(output);
+  Bytes header = headerOf(output, added);
   VORPIPE_TRY(writeAll(sink, header));
-  const auto put = [&](Bytes& text, std::size_t site) { printRecord(text, output, site); };
+  const auto put = [&](Bytes& text, std::size_t site) { printRecord(text, output, added, site); };
   return writeEach(sink, output.sites.size(), put, output.threads);
 }
 

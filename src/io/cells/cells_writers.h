@@ -1,6 +1,9 @@
 /// Writers of cells, one for each kind of file. Their errors are those of writeCells.
 #pragma once
 
+#include "io/base/geopackage.h"
+#include "io/base/print.h"
+#include "io/cells/cell_polygons.h"
 #include "io/cells/cells_file.h"
 
 namespace vorpipe {
@@ -54,5 +57,11 @@ Result<void> writeVtpCells(ByteSink& sink, const CellsOutput& output);
 
 /// The same as an UnstructuredGrid.
 Result<void> writeVtuCells(ByteSink& sink, const CellsOutput& output);
+
+/// Makes polygons the geometry of a feature: a MultiPolygon.
+void setPolygons(FeatureRow& row, Wkb& wkb, const CellPolygons& cell);
+
+/// Appends the member "geometry" of a feature: a Polygon, a MultiPolygon for several, or null.
+void printGeometry(Bytes& text, const CellPolygons& cell);
 
 }  // namespace vorpipe

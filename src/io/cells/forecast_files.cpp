@@ -62,6 +62,17 @@ void planEdgesFiles(MemoryPlan& plan, const Workload& work, std::span<const Edge
   plan.drop(plan.take("the topology", work.sites * topology));
 }
 
+void planTriangulationFiles(MemoryPlan& plan, const Workload& work,
+                            std::span<const EdgesFormat* const> formats) {
+  // Two triangles a site have three sides each, and half of them stay.
+  constexpr std::uint64_t sides = 6, edges = 3;
+  if (formats.empty()) return;
+  const bool in_memory = std::ranges::any_of(formats, &EdgesFormat::in_memory);
+  const std::uint64_t site =
+      sides * sizeof(SitePair) + edges * number_size + (in_memory ? edges_text_site : 0);
+  plan.drop(plan.take("the triangulation's edges", work.sites * site));
+}
+
 void planShapes(MemoryPlan& plan, const Workload& work, const RenderOptions& options) {
   const std::string_view what = "the shapes to write";
   const auto since = plan.next();

@@ -33,7 +33,10 @@ void planShapes(MemoryPlan& plan, const Workload& work, const RenderOptions& opt
 
 /// Plans the writer of ids of a picture.
 void planIdsFile(MemoryPlan& plan, const Workload& work, const IdsFormat& format, const PictureSize& size);
-/// Plans topologyOf, and writeEdges in each of these formats; nothing if there is none.
+/// Plans topologyOf, and writeLines in each of these formats; nothing if there is none.
 void planEdgesFiles(MemoryPlan& plan, const Workload& work, std::span<const EdgesFormat* const> formats);
+/// The same for triangulationLines.
+void planTriangulationFiles(MemoryPlan& plan, const Workload& work,
+                            std::span<const EdgesFormat* const> formats);
 
 }  // namespace vorpipe

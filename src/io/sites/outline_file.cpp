@@ -9,6 +9,7 @@
 #include <cstdint>
 #include <new>
 #include <optional>
+#include <span>
 #include <string_view>
 #include <utility>
 
@@ -20,9 +21,13 @@
 #include "io/base/geometry_bytes.h"
 #include "io/base/input_file.h"
 #include "io/base/json_parser.h"
+#include "io/base/number.h"
 #include "io/base/quoted.h"
+#include "io/base/read_log.h"
+#include "io/base/shapefile.h"
 #include "io/base/wkt_tokens.h"
 #include "io/sites/sites_reader.h"
+#include "io/sites/table_builder.h"
 
 namespace vorpipe {
 namespace {
@@ -55,12 +60,42 @@ void endPolygon(Outline& outline) {
   if (rings > 0 && rings > outline.polygon_offsets.back()) outline.polygon_offsets.push_back(rings);
 }
 
+/// An outline, feature by feature.
+class OutlineFeatures {
+ public:
+  explicit OutlineFeatures(FeatureAttributes attributes)
+      : attributes_(attributes == FeatureAttributes::kept) {}
+
+  Outline& outline() { return outline_; }
+  AttributeColumns& attributes() { return attributes_; }
+
+  void endFeature() {
+    polygons_.push_back(polygons());
+    attributes_.endRow();
+  }
+
+  OutlineFile take(CoordinateSystem system = {}) {
+    // Geometries that are in no feature are one.
+    if (polygons_.back() < polygons()) endFeature();
+    return {std::move(outline_), std::move(system), std::move(polygons_), attributes_.take()};
+  }
+
+ private:
+  [[nodiscard]] std::uint64_t polygons() const {
+    return outline_.polygon_offsets.empty() ? 0 : outline_.polygon_offsets.size() - 1;
+  }
+
+  Outline outline_;
+  AttributeColumns attributes_;
+  std::vector<std::uint64_t> polygons_ = {0};
+};
+
 /// An error and the path to it.
 using Problem = std::optional<std::string>;
 
 class OutlineJson {
  public:
-  explicit OutlineJson(Outline& outline) : outline_(outline) {}
+  explicit OutlineJson(OutlineFeatures& features) : features_(features), outline_(features.outline()) {}
 
   Problem object(const nlohmann::ordered_json& value, const std::string& path, int depth = 0) {
     if (!value.is_object()) return wrong(path, fmt::format("a {}, not an object", value.type_name()));
@@ -80,8 +115,11 @@ class OutlineJson {
     if (name == "Feature") {
       // A feature may have no geometry, such as an empty cell.
       const auto geometry = value.find("geometry");
-      if (geometry != value.end() && geometry->is_null()) return {};
-      return member(value, path, "geometry", inner);
+      const bool none = geometry != value.end() && geometry->is_null();
+      if (auto problem = none ? Problem{} : member(value, path, "geometry", inner)) return problem;
+      setProperties(features_.attributes(), value);
+      features_.endFeature();
+      return {};
     }
     if (name == "FeatureCollection") return each(value, path, "features", inner);
     if (name == "GeometryCollection") return each(value, path, "geometries", inner);
@@ -142,10 +180,11 @@ class OutlineJson {
     return added ? Problem{} : wrong(path, added.error());
   }
 
+  OutlineFeatures& features_;
   Outline& outline_;
 };
 
-Result<OutlineFile> readGeoJsonOutline(InputFile file) {
+Result<OutlineFile> readGeoJsonOutline(InputFile file, FeatureAttributes attributes) {
   JsonBytes bytes(file);
   VORPIPE_LET(value, parseJson<nlohmann::ordered_json>(bytes));
   auto system = systemOfGeoJson(value);
@@ -153,19 +192,19 @@ Result<OutlineFile> readGeoJsonOutline(InputFile file) {
     return inputError(fmt::format("{}: {}", file.name(), problem));
   };
   if (!system) return wrong(system.error());
-  OutlineFile read{{}, std::move(*system)};
-  if (const auto problem = OutlineJson(read.outline).object(value, {})) return wrong(*problem);
-  return read;
+  OutlineFeatures features(attributes);
+  if (const auto problem = OutlineJson(features).object(value, {})) return wrong(*problem);
+  return features.take(std::move(*system));
 }
 
 /// One object on each line.
-Result<OutlineFile> readGeoJsonLinesOutline(InputFile file) {
+Result<OutlineFile> readGeoJsonLinesOutline(InputFile file, FeatureAttributes attributes) {
   LineReader lines(std::move(file));
-  OutlineFile read{{}, wgs84()};
+  OutlineFeatures features(attributes);
   const auto add = [&](const nlohmann::ordered_json& value) {
-    return OutlineJson(read.outline).object(value, {});
+    return OutlineJson(features).object(value, {});
   };
-  return eachJsonLine<nlohmann::ordered_json>(lines, add).map([&] { return std::move(read); });
+  return eachJsonLine<nlohmann::ordered_json>(lines, add).map([&] { return features.take(wgs84()); });
 }
 
 class OutlineWkt {
@@ -218,7 +257,9 @@ class OutlineWkt {
   std::optional<std::int64_t> system_;  ///< the code before geometries
 };
 
-Result<OutlineFile> readWktOutline(InputFile file) { return OutlineWkt(file).all(); }
+Result<OutlineFile> readWktOutline(InputFile file, FeatureAttributes /*it has none*/) {
+  return OutlineWkt(file).all();
+}
 
 /// Adds the polygons of the current row. The error states what is wrong with them.
 tl::expected<void, std::string> addPolygons(const FeatureLayer& layer, Outline& outline) {
@@ -235,41 +276,76 @@ tl::expected<void, std::string> addPolygons(const FeatureLayer& layer, Outline& 
   return {};
 }
 
-/// Reads a layer of a database, which is no stream; empty: the only one of polygons.
-Result<OutlineFile> readGeoPackageOutline(const std::string& path, const std::string& name) {
-  VORPIPE_VAR(layer, FeatureLayer::open(path, name, LayerOf::polygons));
-  OutlineFile read{{}, layer.system()};
+/// Sets the attributes of the current row; `columns` are those of the layer's.
+void setAttributes(const FeatureLayer& layer, std::span<const std::size_t> columns,
+                   OutlineFeatures& features) {
+  for (std::size_t k = 0; k < columns.size(); ++k) {
+    const auto value = layer.value(k);
+    if (!value) continue;
+    const auto& [type, text] = *value;
+    const bool other = type == AttributeType::text && !isUtf8(text);
+    features.attributes().set(columns[k], type, other ? fromWindows1252(text) : text);
+  }
+}
+
+/// Reads a layer of a database, which is no stream.
+Result<OutlineFile> readLayer(const std::string& path, FeatureLayer& layer, FeatureAttributes kept) {
+  OutlineFeatures features(kept);
+  std::vector<std::size_t> columns;
+  for (const LayerColumn& column : layer.columns()) {
+    columns.push_back(features.attributes().newColumn(column.name));
+    features.attributes().setType(columns.back(), column.type);
+  }
   for (std::uint64_t row = 1;; ++row) {
     VORPIPE_LET(more, layer.next());
-    if (!more) return read;
-    if (const auto added = addPolygons(layer, read.outline); !added) {
+    if (!more) return features.take(layer.system());
+    if (const auto added = addPolygons(layer, features.outline()); !added) {
       return inputError(
           fmt::format("{}: layer {}, row {}: {}", path, printable(layer.name()), row, added.error()));
     }
+    if (kept == FeatureAttributes::kept) setAttributes(layer, columns, features);
+    features.endFeature();
   }
+}
+
+/// `name` is that of a layer; empty: the only one of polygons.
+Result<OutlineFile> readGeoPackageOutline(const std::string& path, const std::string& name,
+                                          FeatureAttributes attributes) {
+  VORPIPE_VAR(layer, FeatureLayer::open(path, name, LayerOf::polygons));
+  return readLayer(path, layer, attributes);
+}
+
+Result<OutlineFile> readShapefileOutline(const std::string& path, FeatureAttributes attributes) {
+  VORPIPE_LET(converted, ConvertedShapefile::of(path));
+  const ReadLog::Pause pause;
+  VORPIPE_VAR(layer, FeatureLayer::open(path, {}, LayerOf::polygons, converted.file()));
+  return readLayer(path, layer, attributes);
 }
 
 struct OutlineKind {
   std::string_view extension;
-  Result<OutlineFile> (*read)(InputFile file);
+  Result<OutlineFile> (*read)(InputFile file, FeatureAttributes attributes);
 };
 
-/// The kind that is no stream of bytes.
+/// The kind with layers. It is no stream of bytes, and neither are shapefiles.
 constexpr std::string_view packaged = ".gpkg";
 
-constexpr std::array<OutlineKind, 7> outline_kinds = {{{".geojson", readGeoJsonOutline},
+constexpr std::array<OutlineKind, 8> outline_kinds = {{{".geojson", readGeoJsonOutline},
                                                        {".json", readGeoJsonOutline},
                                                        {".geojsonl", readGeoJsonLinesOutline},
                                                        {".geojsons", readGeoJsonLinesOutline},
                                                        {".ndjson", readGeoJsonLinesOutline},
                                                        {".wkt", readWktOutline},
-                                                       {packaged, nullptr}}};
+                                                       {packaged, nullptr},
+                                                       {shapefile_extension, nullptr}}};
 
 Result<OutlineFile> readOutlineKind(const OutlineKind& kind, const std::string& path,
-                                    const std::string& layer) {
-  if (kind.extension == packaged) return readGeoPackageOutline(path, layer);
+                                    const std::string& layer, FeatureAttributes attributes) {
+  if (kind.extension == packaged) return readGeoPackageOutline(path, layer, attributes);
   if (!layer.empty()) return inputError(fmt::format("{}: has no layers; a {} has", path, packaged));
-  return InputFile::open(path).and_then(kind.read);
+  if (kind.read == nullptr) return readShapefileOutline(path, attributes);
+  VORPIPE_VAR(file, InputFile::open(path));
+  return kind.read(std::move(file), attributes);
 }
 
 /// Whether GeoJSON's coordinates may be degrees: the format has no others, but files may hold meters of a
@@ -280,13 +356,14 @@ bool mayBeDegrees(const Outline& outline) {
       outline.points, [](Point point) { return std::abs(point.x) <= most_x && std::abs(point.y) <= most_y; });
 }
 
-Result<OutlineFile> readByExtension(const std::string& path, const std::string& layer) {
+Result<OutlineFile> readByExtension(const std::string& path, const std::string& layer,
+                                    FeatureAttributes attributes) {
   const auto* const kind = std::ranges::find(outline_kinds, inputExtension(path), &OutlineKind::extension);
   if (kind == outline_kinds.end()) {
     return inputError(
         fmt::format("{}: unknown kind of file; known are {}", path, fmt::join(outlineExtensions(), ", ")));
   }
-  auto read = readOutlineKind(*kind, path, layer);
+  auto read = readOutlineKind(*kind, path, layer, attributes);
   if (!read) return read;
   if (read->outline.empty()) return inputError(path + ": holds no polygon");
   if (read->system.kind == CoordinateKind::degrees && !mayBeDegrees(read->outline)) read->system = {};
@@ -302,9 +379,10 @@ std::vector<std::string> outlineExtensions() {
   return extensions;
 }
 
-Result<OutlineFile> readOutline(const std::string& path, const std::string& layer) {
+Result<OutlineFile> readOutline(const std::string& path, const std::string& layer,
+                                FeatureAttributes attributes) {
   try {
-    return readByExtension(path, layer);
+    return readByExtension(path, layer, attributes);
   } catch (const std::bad_alloc&) {
     return deviceError(path + ": there is not enough memory for its polygons");
   }

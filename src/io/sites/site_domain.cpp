@@ -9,6 +9,7 @@
 
 #include "base/try.h"
 #include "io/base/error.h"
+#include "io/sites/site_systems.h"
 
 namespace vorpipe {
 namespace {
@@ -59,42 +60,10 @@ Result<void> checkPeriod(const Request& request) {
   return {};
 }
 
-/// Returns the outline's name for messages.
-std::string nameOfOutline(const Request& request) {
-  return request.settings.outline_name.empty() ? "the outline" : request.settings.outline_name;
-}
-
-/// Refuses sites and an outline in different systems.
-Result<void> checkSystems(const Request& request) {
-  const auto& [settings, placed, words] = request;
-  if (settings.outline.empty() || placed.from == SitesFrom::generator) return {};
-  const CoordinateSystem &its = settings.outline_system, &of_sites = placed.system;
-  const std::string both = fmt::format("{}: {} is in {}, {} in {}", words.domain, nameOfOutline(request),
-                                       nameOf(its), words.sites, nameOf(of_sites));
-  switch (compared(its, of_sites)) {
-    case SystemsAre::one:
-      return {};
-    case SystemsAre::near:
-      request.note(both + ", which is the same to some two meters");
-      return {};
-    case SystemsAre::unclear:
-      request.note(both + "; nothing here says whether that is the same, and it is taken so");
-      return {};
-    case SystemsAre::different:
-      break;
-  }
-  if (settings.project) {
-    return inputError(fmt::format("{}; {} takes both in degrees, as ogr2ogr -t_srs EPSG:4326 makes them",
-                                  both, words.project));
-  }
-  return inputError(fmt::format("{}; take one to the system of the other, as ogr2ogr -t_srs {} does", both,
-                                hasName(of_sites) ? nameOf(of_sites) : "EPSG:4326"));
-}
-
 /// Refuses settings that contradict each other, whatever the sites are.
 Result<void> checkSettings(const Request& request) {
   const auto& [settings, placed, words] = request;
-  VORPIPE_TRY(checkSystems(request));
+  VORPIPE_TRY(settleSystems(settings, placed, words));
   VORPIPE_TRY(checkMargin(request));
   if (settings.repair && settings.outline.empty()) {
     return inputError(fmt::format("{}: is for the polygons of {}", words.repair, words.domain));
@@ -106,7 +75,7 @@ Result<void> checkSettings(const Request& request) {
   const bool plane_sites = placed.system.kind == CoordinateKind::plane;
   if (settings.project && (plane_sites || settings.outline_system.kind == CoordinateKind::plane)) {
     return inputError(fmt::format("{}: {} says that its coordinates are those of a plane, not degrees",
-                                  words.project, plane_sites ? words.sites : nameOfOutline(request)));
+                                  words.project, plane_sites ? words.sites : nameOfOutline(settings)));
   }
   return {};
 }
@@ -119,26 +88,26 @@ tl::unexpected<Error> renamed(std::string_view word, Error error) {
   return tl::unexpected(std::move(error));
 }
 
-/// Returns an outline that `mend(repair)` dissolves and repairs; notes changes to one of the caller's.
+/// Returns the outline or a part of it as `mend(outline, repair)` dissolves and repairs it; notes what
+/// changed. `name` is that of its file or its part, for messages.
 template <class Mend>
-Result<Outline> mendedBy(const Mend& mend, const Request& request) {
+Result<Outline> mendedBy(const Mend& mend, const Request& request, const Outline& given,
+                         const std::string& name) {
   const auto& [settings, placed, words] = request;
-  auto result = mend(settings.repair);
+  const std::string before = name.empty() ? words.domain : fmt::format("{}: {}", words.domain, name);
+  auto result = mend(given, settings.repair);
   if (!result) {
     // A ring of a thousand points may have a million self-crossings, and nobody requested the attempt.
     constexpr std::size_t few_points = 200;
-    const std::size_t points = settings.repair ? 0 : settings.outline.points.size();
-    if (points > few_points || (points > 0 && mend(true))) {
+    const std::size_t points = settings.repair || settings.outline.empty() ? 0 : given.points.size();
+    if (points > few_points || (points > 0 && mend(given, true))) {
       result.error().message +=
           fmt::format("; {} {} it", words.repair, points > few_points ? "may mend" : "mends");
     }
-    const bool named = !settings.outline.empty() && !settings.outline_name.empty();
-    return renamed(named ? fmt::format("{}: {}", words.domain, settings.outline_name) : words.domain,
-                   std::move(result.error()));
+    return renamed(before, std::move(result.error()));
   }
   if (!result->changes.empty() && !settings.outline.empty()) {
-    const std::string_view colon = settings.outline_name.empty() ? "" : ": ";
-    request.note(fmt::format("{}: {}{}{}", words.domain, settings.outline_name, colon, result->changes));
+    request.note(fmt::format("{}: {}", before, result->changes));
   }
   return std::move(result->outline);
 }
@@ -147,6 +116,28 @@ Result<Outline> mendedBy(const Mend& mend, const Request& request) {
 void takeOutline(PlacedSites& placed, Outline outline) {
   placed.outline = std::move(outline);
   placed.domain = boxOf(placed.outline.points);
+}
+
+/// Makes the outline the domain, or each of its parts a domain, mended. `all` is the outline, or the box in
+/// degrees.
+template <class Mend>
+Result<void> takeOutlines(const Mend& mend, const Request& request, const Outline& all) {
+  const auto& [settings, placed, words] = request;
+  const std::string& file = settings.outline.empty() ? std::string() : settings.outline_name;
+  if (settings.parts.empty()) {
+    VORPIPE_VAR(whole, mendedBy(mend, request, all, file));
+    takeOutline(placed, std::move(whole));
+    return {};
+  }
+  std::vector<Point> points;
+  for (const OutlinePart& part : settings.parts) {
+    const std::string name = fmt::format("{}{}{}", file, file.empty() ? "" : ": ", part.name);
+    VORPIPE_VAR(outline, mendedBy(mend, request, part.outline, name));
+    points.insert(points.end(), outline.points.begin(), outline.points.end());
+    placed.parts.push_back(std::move(outline));
+  }
+  placed.domain = boxOf(points);
+  return {};
 }
 
 tl::unexpected<Error> tooFarApart(const Request& request) {
@@ -280,10 +271,10 @@ Result<void> project(const Request& request) {
   if (!projection) return renamed(request.words.project, projection.error());
   VORPIPE_TRY(projectSites(request, *projection));
   if (degrees.empty()) return takeDomainOfSites(request);
-  VORPIPE_VAR(whole,
-              mendedBy([&](bool repair) { return mendedToPlane(*projection, degrees, repair); }, request));
-  takeOutline(request.placed, std::move(whole));
-  return {};
+  const auto mend = [&](const Outline& outline, bool repair) {
+    return mendedToPlane(*projection, outline, repair);
+  };
+  return takeOutlines(mend, request, degrees);
 }
 
 /// Adds a note if cells will be computed in a plane of degrees.
@@ -329,8 +320,8 @@ Result<void> foundDomain(const Request& request) {
   }
   noteDegrees(request);
   if (!settings.outline.empty()) {
-    VORPIPE_VAR(outline, mendedBy([&](bool repair) { return mended(settings.outline, repair); }, request));
-    takeOutline(placed, std::move(outline));
+    const auto mend = [](const Outline& outline, bool repair) { return mended(outline, repair); };
+    VORPIPE_TRY(takeOutlines(mend, request, settings.outline));
     if (placed.from == SitesFrom::generator)
       placed.sites = spreadOver(placed.domain, std::move(placed.sites));
     return {};

@@ -19,6 +19,12 @@ struct ProjectChoice {
   std::optional<Point> center{};  ///< degrees
 };
 
+/// A part of an outline that is a domain by itself.
+struct OutlinePart {
+  std::string name{};  ///< for messages
+  Outline outline{};
+};
+
 /// Settings for a domain, with at most one of outline, box and hull. Without any: the box of the sites.
 struct DomainSettings {
   Outline outline{};               ///< in the unit of the sites; dissolved where polygons touch or overlap
@@ -28,15 +34,18 @@ struct DomainSettings {
   std::optional<Margin> margin{};  ///< around the sites' box or hull; none: 5 %, and 0 around a hull
   bool repair = false;             ///< repairs rings of the outline that cross themselves
   std::optional<ProjectChoice> project{};
-  CoordinateSystem outline_system{};  ///< of the outline
-  bool of_corners = false;            ///< the sites are only a few, with the same box as all
+  CoordinateSystem outline_system{};      ///< of the outline
+  std::optional<CoordinateSystem> crs{};  ///< of sites and of an outline that name none
+  /// Parts of the outline that are domains by themselves, and may overlap; none: it is one domain.
+  std::vector<OutlinePart> parts{};
+  bool of_corners = false;  ///< the sites are only a few, with the same box as all
 };
 
 /// The caller's words for things that messages name.
 struct DomainWords {
   std::string sites = "the sites", domain = "domain", box = "a box", margin = "margin", repair = "repair",
               project = "project", project_amid = "a projection", project_around = "a center",
-              periodic = "periodic", density = "density", density_box = "a density box",
+              periodic = "periodic", density = "density", density_box = "a density box", crs = "crs",
               beyond = "it is 0 elsewhere";  ///< what is where a density has no pixels
 };
 
@@ -53,6 +62,8 @@ struct PlacedSites {
   SitesFrom from = SitesFrom::caller;
   Box domain{0, 0, 1, 1};
   Outline outline{};  ///< the domain is its box
+  /// In place of an outline, its parts in the settings' order: domains by themselves, in whose box cells are.
+  std::vector<Outline> parts{};
   Periodic periodic = Periodic::none;
   CoordinateSystem system{};  ///< of the sites as given here
   std::optional<Projection> projection{};

@@ -251,6 +251,7 @@ class CsvSites {
         table_.attributes().set(to, AttributeType::text, text_.of(csv_, from));
       }
     }
+    table_.setPlace([&] { return fmt::format("line {}", csv_.line()); });
     const auto problem = table_.addRow(points, weight);
     if (!problem) return {};
     return csv_.errorAt(table_.refusedNeeded() ? needed_ : column, *problem);

@@ -13,6 +13,7 @@
 #include "io/base/error.h"
 #include "io/base/extension.h"
 #include "io/base/input_file.h"
+#include "io/base/shapefile.h"
 #include "io/sites/sites_reader.h"
 
 namespace vorpipe {
@@ -24,10 +25,10 @@ struct Kind {
   bool table = false;  ///< whether its columns can be chosen
 };
 
-/// The kind that is no stream of bytes.
+/// The kind with layers. It is no stream of bytes, and neither are shapefiles.
 constexpr std::string_view geopackage = ".gpkg";
 
-constexpr std::array<Kind, 12> kinds = {{{".csv", readCsvSites, true},
+constexpr std::array<Kind, 13> kinds = {{{".csv", readCsvSites, true},
                                          {".tsv", readTsvSites, true},
                                          {".xyz", readTextSites, true},
                                          {".txt", readTextSites, true},
@@ -38,7 +39,8 @@ constexpr std::array<Kind, 12> kinds = {{{".csv", readCsvSites, true},
                                          {".geojsons", readGeoJsonLines},
                                          {".ndjson", readGeoJsonLines},
                                          {".wkt", readWktSites},
-                                         {geopackage, nullptr}}};
+                                         {geopackage, nullptr},
+                                         {shapefile_extension, nullptr}}};
 
 Result<SiteTable> readByExtension(const std::string& path, InputFile file, const ReadOptions& options) {
   const std::string name = file.name();
@@ -57,9 +59,11 @@ Result<SiteTable> readByExtension(const std::string& path, InputFile file, const
   if (!options.layer.empty() && extension != geopackage) {
     return inputError(fmt::format("{}: has no layers for --layer; a {} has", name, geopackage));
   }
-  if (extension != geopackage) return kind->read(std::move(file), options);
-  if (path != "-") return readGeoPackageSites(path, options);
-  return inputError(fmt::format("{}: a GeoPackage cannot be read from standard input; name its file", name));
+  if (kind->read != nullptr) return kind->read(std::move(file), options);
+  const bool package = extension == geopackage;
+  if (path != "-") return package ? readGeoPackageSites(path, options) : readShapefileSites(path, options);
+  return inputError(fmt::format("{}: a {} cannot be read from standard input; name its file", name,
+                                package ? "GeoPackage" : "shapefile"));
 }
 
 }  // namespace

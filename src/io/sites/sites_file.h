@@ -22,6 +22,7 @@ inline constexpr std::uint64_t max_sites = std::numeric_limits<std::int32_t>::ma
 struct NeededAttribute {
   std::string name;
   std::function<tl::expected<void, std::string>(std::string_view)> check;  ///< what is wrong with a value
+  bool unique = false;  ///< whether each site must have another value
 };
 
 /// How to read a file with sites, if the file does not define it.

@@ -56,14 +56,25 @@ AttributeType attributeType(const Json& value) {
 /// What is wrong, after the path to it.
 using GeoJsonProblem = std::optional<std::string>;
 
+void setProperty(AttributeColumns& attributes, const std::string& name, const Json& value) {
+  const std::size_t column = attributes.column(name);
+  if (value.is_null() || !attributes.kept()) return;
+  if (value.is_string()) {
+    attributes.set(column, AttributeType::text, value.get_ref<const std::string&>());
+  } else {
+    attributes.set(column, attributeType(value), value.dump());
+  }
+}
+
 /// Takes sites from parsed GeoJSON, one feature or geometry after the other.
 class GeoJsonPoints {
  public:
   explicit GeoJsonPoints(TableBuilder& table) : table_(table) {}
 
   /// Adds the sites of a Feature, or of a geometry: a Point, a MultiPoint, or a GeometryCollection of them.
-  /// `path` is its path in the file.
-  GeoJsonProblem add(const Json& object, const std::string& path) {
+  /// `path` is its path in the file, `line` its line if it is one.
+  GeoJsonProblem add(const Json& object, const std::string& path, std::uint64_t line = 0) {
+    line_ = line;
     points_.clear();
     weight_.reset();
     weight_name_.clear();
@@ -98,6 +109,7 @@ class GeoJsonPoints {
       problem =
           table_.addMissing(fmt::format("its {} is null; --missing skip leaves such out", weight_name_));
     } else {
+      table_.setPlace([&] { return line_ == 0 ? path : fmt::format("line {}", line_); });
       problem = table_.addRow(points_, weight_);
     }
     return problem ? wrong(path, *problem) : GeoJsonProblem{};
@@ -145,12 +157,12 @@ class GeoJsonPoints {
     }
     const auto id = feature.find("id");
     if (id != feature.end() && !id->is_null() && (none || !properties->contains("id")))
-      setAttribute("id", *id);
+      setProperty(table_.attributes(), "id", *id);
     if (none) return {};
     for (const auto& [name, value] : properties->items()) {
       const auto kind = weightNamed(name, false);
       if (!kind) {
-        setAttribute(name, value);
+        setProperty(table_.attributes(), name, value);
       } else if (auto problem = takeWeight(name, *kind, value, path)) {
         return problem;
       }
@@ -178,20 +190,10 @@ class GeoJsonPoints {
     return {};
   }
 
-  void setAttribute(const std::string& name, const Json& value) {
-    AttributeColumns& attributes = table_.attributes();
-    const std::size_t column = attributes.column(name);
-    if (value.is_null() || !attributes.kept()) return;
-    if (value.is_string()) {
-      attributes.set(column, AttributeType::text, value.get_ref<const std::string&>());
-    } else {
-      attributes.set(column, attributeType(value), value.dump());
-    }
-  }
-
   TableBuilder& table_;
   std::vector<Point> points_;     ///< of the feature
   std::optional<double> weight_;  ///< of the feature
+  std::uint64_t line_ = 0;        ///< of the feature; 0: its path says where it is
   std::string weight_name_;       ///< of the feature; empty if it has none
   bool weight_noted_ = false;
 };
@@ -244,6 +246,14 @@ GeoJsonProblem addTop(const Json& top, const std::string& list, GeoJsonPoints& p
 
 }  // namespace
 
+void setProperties(AttributeColumns& attributes, const Json& feature) {
+  const auto properties = feature.find("properties"), id = feature.find("id");
+  const bool some = properties != feature.end() && properties->is_object();
+  if (id != feature.end() && (!some || !properties->contains("id"))) setProperty(attributes, "id", *id);
+  if (!some) return;
+  for (const auto& [name, value] : properties->items()) setProperty(attributes, name, value);
+}
+
 tl::expected<CoordinateSystem, std::string> systemOfGeoJson(const Json& top) {
   const auto member = top.is_object() ? top.find("crs") : top.end();
   if (!top.is_object() || member == top.end() || member->is_null()) return wgs84();
@@ -278,9 +288,8 @@ Result<SiteTable> readGeoJsonLines(InputFile file, const ReadOptions& options) {
   TableBuilder table(lines.name(), options);
   table.system() = wgs84();
   GeoJsonPoints points(table);
-  return eachJsonLine<Json>(lines, [&](const Json& value) { return points.add(value, ""); }).map([&] {
-    return table.finish();
-  });
+  return eachJsonLine<Json>(lines, [&](const Json& value) { return points.add(value, "", lines.number()); })
+      .map([&] { return table.finish(); });
 }
 
 }  // namespace vorpipe

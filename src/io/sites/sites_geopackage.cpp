@@ -11,6 +11,8 @@
 #include "io/base/geometry_bytes.h"
 #include "io/base/number.h"
 #include "io/base/quoted.h"
+#include "io/base/read_log.h"
+#include "io/base/shapefile.h"
 #include "io/sites/site_columns.h"
 #include "io/sites/sites_reader.h"
 #include "io/sites/table_builder.h"
@@ -29,6 +31,7 @@ class GeoPackageSites {
     for (std::uint64_t row = 1;; ++row) {
       VORPIPE_LET(more, layer_.next());
       if (!more) return finish();
+      table_.setPlace([&] { return fmt::format("row {}", row); });
       if (const auto problem = addRow()) {
         return inputError(
             fmt::format("{}: layer {}, row {}: {}", table_.name(), printable(layer_.name()), row, *problem));
@@ -122,6 +125,16 @@ class GeoPackageSites {
 Result<SiteTable> readGeoPackageSites(const std::string& path, const ReadOptions& options) {
   VORPIPE_VAR(layer, FeatureLayer::open(path, options.layer, LayerOf::points));
   return GeoPackageSites(path, std::move(layer), options).read();
+}
+
+Result<SiteTable> readShapefileSites(const std::string& path, const ReadOptions& options) {
+  VORPIPE_LET(converted, ConvertedShapefile::of(path));
+  const ReadLog::Pause pause;
+  VORPIPE_VAR(layer, FeatureLayer::open(path, {}, LayerOf::points, converted.file()));
+  VORPIPE_VAR(table, GeoPackageSites(path, std::move(layer), options).read());
+  // The number of a row, which GDAL adds, is no attribute of the file.
+  std::erase_if(table.attributes, [](const Attribute& attribute) { return attribute.name() == "fid"; });
+  return table;
 }
 
 }  // namespace vorpipe

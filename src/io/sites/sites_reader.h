@@ -13,6 +13,7 @@
 #include "io/base/input_file.h"
 #include "io/base/wkt_tokens.h"
 #include "io/sites/sites_file.h"
+#include "io/sites/table_builder.h"
 #include "vorpipe.h"
 
 namespace vorpipe {
@@ -52,6 +53,9 @@ Result<SiteTable> readWktSites(InputFile file, const ReadOptions& options);
 /// A layer of points of a GeoPackage, which is a database and no stream.
 Result<SiteTable> readGeoPackageSites(const std::string& path, const ReadOptions& options);
 
+/// A shapefile of points, which GDAL's ogr2ogr makes a GeoPackage of.
+Result<SiteTable> readShapefileSites(const std::string& path, const ReadOptions& options);
+
 /// A POINT or MULTIPOINT.
 struct WktPoints {
   std::vector<Point> points;             ///< none if it is EMPTY
@@ -60,6 +64,10 @@ struct WktPoints {
 };
 
 WktProblem takePoints(WktTokens& tokens, WktPoints& taken);
+
+/// Sets attributes of a row to the properties of a GeoJSON feature, and to its id if no property is called
+/// so.
+void setProperties(AttributeColumns& attributes, const nlohmann::ordered_json& feature);
 
 /// Returns the system that a member "crs" of the top object names, as in GeoJSON of 2008; else WGS 84.
 tl::expected<CoordinateSystem, std::string> systemOfGeoJson(const nlohmann::ordered_json& top);

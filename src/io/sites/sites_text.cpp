@@ -151,6 +151,7 @@ class TextSites {
       if (!valid) return lines_.errorAt(1, fmt::format("{} (column {})", valid.error(), site_numbers[2]));
       weight = *valid;
     }
+    table_.setPlace([&] { return fmt::format("line {}", lines_.number()); });
     if (const auto problem = table_.addRow(std::array{Point{value[0], value[1]}}, weight)) {
       return lines_.errorAt(1, *problem);
     }

@@ -121,8 +121,16 @@ RowProblem TableBuilder::checkRoom() {
   return room.error().message.substr(name_.size() + 2);
 }
 
+/// Returns what is wrong with a value that another row has as well.
+RowProblem TableBuilder::checkUnique(std::string_view value, std::size_t points) {
+  if (points > 1) return fmt::format("{} stands for {} places, which need one each", inQuotes(value), points);
+  const auto [first, added] = place_of_.try_emplace(std::string(value), place_);
+  if (added) return {};
+  return fmt::format("{} is that of {} as well; each site needs another", inQuotes(value), first->second);
+}
+
 /// Returns what is wrong with a row's needed value.
-RowProblem TableBuilder::checkNeeded(std::string_view value) {
+RowProblem TableBuilder::checkNeeded(std::string_view value, std::size_t points) {
   const std::string column = fmt::format(" (column {})", printable(needed_->name));
   refused_needed_ = true;
   if (isMissingValue(value)) {
@@ -130,8 +138,10 @@ RowProblem TableBuilder::checkNeeded(std::string_view value) {
     return problem ? *problem + column : RowProblem{};
   }
   const auto right = needed_->check(value);
-  refused_needed_ = !right;
-  return right ? RowProblem{} : right.error() + column;
+  RowProblem problem = right ? RowProblem{} : right.error();
+  if (!problem && needed_->unique) problem = checkUnique(value, points);
+  refused_needed_ = problem.has_value();
+  return problem ? *problem + column : problem;
 }
 
 /// Leaves out all rows so far, which lack an attribute that a later one has.
@@ -158,7 +168,7 @@ RowProblem TableBuilder::addRow(std::span<const Point> points, std::optional<dou
         return fmt::format("has {}, and those before it have none", inQuotes(needed_->name));
       leaveOutRows();
     }
-    const auto problem = checkNeeded(attributes_.rowValue(needed_->name).value_or(""));
+    const auto problem = checkNeeded(attributes_.rowValue(needed_->name).value_or(""), points.size());
     if (problem || refused_needed_) return problem;
   }
   for (const Point& point : points) {

@@ -9,6 +9,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <unordered_map>
 #include <utility>
 #include <vector>
 
@@ -101,6 +102,12 @@ class TableBuilder {
   /// those before have one, and the needed attribute once a row had it.
   RowProblem addRow(std::span<const Point> points, std::optional<double> weight);
 
+  /// Sets the place of the row that addRow ends, as `place()` says it in words that follow "that of".
+  template <class Place>
+  void setPlace(const Place& place) {
+    if (needed_ && needed_->unique) place_ = place();
+  }
+
   /// Whether addRow refused the value of the needed attribute.
   [[nodiscard]] bool refusedNeeded() const { return refused_needed_; }
 
@@ -120,13 +127,16 @@ class TableBuilder {
 
  private:
   RowProblem checkRoom();
-  RowProblem checkNeeded(std::string_view value);
+  RowProblem checkNeeded(std::string_view value, std::size_t points);
+  RowProblem checkUnique(std::string_view value, std::size_t points);
   void leaveOutRows();
 
   std::string name_;
   bool skip_missing_;
   std::optional<NeededAttribute> needed_;
   bool refused_needed_ = false, has_needed_ = false;
+  std::string place_;                                      ///< of the row, if values must be unique
+  std::unordered_map<std::string, std::string> place_of_;  ///< of the row with a value, likewise
   AttributeColumns attributes_;
   SiteTable table_{};
   std::uint64_t rows_ = 0;

@@ -51,5 +51,24 @@ TEST(CoordinateSystems, areOneNearUnclearOrDifferent) {
   EXPECT_EQ(compared(grid, named("25832")), SystemsAre::unclear);
 }
 
+TEST(CoordinateSystems, unitsOfAreaAreKnownByDefinitionsAndUsualCodes) {
+  const auto unit = [](std::string_view text) { return squareKilometersIn(named(text)).value_or(0); };
+  for (const char* metric :
+       {"25832", "32601", "2154", "27700", "3035",
+        R"(PROJCS["My grid",GEOGCS["X",UNIT["degree",0.017]],UNIT["metre",1]])",
+        R"(PROJCRS["My grid",CS[Cartesian,2],AXIS["E",east,LENGTHUNIT["metre", 1.0]]])"}) {
+    EXPECT_DOUBLE_EQ(unit(metric), 1e-6) << metric;
+  }
+  EXPECT_DOUBLE_EQ(unit(R"(PROJCS["Feet",GEOGCS["X",UNIT["degree",0.017]],UNIT["foot",0.3048]])"),
+                   0.3048 * 0.3048 * 1e-6);
+  for (const char* other :
+       {"4326", "3857", "3395", "2225", "32662", R"(PROJCS["My grid",GEOGCS["X",UNIT["degree",0.017]]])",
+        R"(PROJCS["World_Mercator",PROJECTION["Mercator"],UNIT["metre",1]])"}) {
+    EXPECT_EQ(unit(other), 0) << other;
+  }
+  EXPECT_DOUBLE_EQ(unit(R"(PROJCS["Mine",PROJECTION["Transverse_Mercator"],UNIT["metre",1]])"), 1e-6);
+  EXPECT_EQ(squareKilometersIn({}), std::nullopt);
+}
+
 }  // namespace
 }  // namespace vorpipe::test

@@ -1,3 +1,4 @@
+#include <fmt/core.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -172,6 +173,34 @@ TEST_F(OutlineFile, theirSystemIsWhatTheySayOrAFileBesideThem) {
   EXPECT_THAT(refusal("a.wkt", "SRID=1;" + ring + "SRID=2;" + ring), HasSubstr("is of SRID 2"));
   write("b.prj", "nothing of the kind");
   EXPECT_THAT(readOutline(write("b.wkt", ring)).error().message, EndsWith("is no coordinate system in WKT"));
+}
+
+TEST_F(OutlineFile, itsFeaturesArePartsByName) {
+  const auto feature = [](const std::string& name, int x, const std::string& more = {}) {
+    const std::string ring = fmt::format("[[{0},0],[{1},0],[{1},1],[{0},0]]", x, x + 1);
+    return R"({"type":"Feature","properties":{"name":)" + name +
+           R"(},"geometry":{"type":"MultiPolygon","coordinates":[[)" + ring + "]" + more + "]}}";
+  };
+  const std::string file =
+      write("a.geojsonl", feature(R"("a")", 0) + "\n" + feature("null", 2, ",[[[9,9],[10,9],[9,10],[9,9]]]") +
+                              "\n" + feature(R"("a")", 4) + "\n" +
+                              R"({"type":"Feature","properties":{"name":"b"},"geometry":null})");
+  const auto read = readOutline(file, {}, FeatureAttributes::kept);
+  ASSERT_TRUE(read) << read.error().message;
+  EXPECT_EQ(read->feature_polygons, (Offsets{0, 1, 3, 4, 4}));
+  const auto parts = outlinesBy(*read, "name");
+  ASSERT_TRUE(parts) << parts.error().message;
+  ASSERT_EQ(parts->outlines.size(), 2u);
+  EXPECT_EQ(parts->names.at(0), "a");
+  EXPECT_EQ(parts->names.at(1), std::nullopt);
+  EXPECT_EQ(parts->same, 1u);
+  EXPECT_EQ(parts->outlines[0].polygon_offsets, (Offsets{0, 1, 2}));
+  EXPECT_EQ(parts->outlines[0].ring_offsets, (Offsets{0, 3, 6}));
+  EXPECT_EQ(parts->outlines[0].points[3], (Point{4, 0}));
+  EXPECT_EQ(parts->outlines[1].polygon_offsets, (Offsets{0, 1, 2}));
+  EXPECT_EQ(outlinesBy(*read, "nam").error().message,
+            "its features have no attribute \"nam\"; they have \"name\"");
+  EXPECT_TRUE(readOutline(file)->attributes.empty());
 }
 
 class DensityFile : public InTemporaryDirectory {

@@ -109,6 +109,29 @@ TEST(SiteDomain, sitesAndAnOutlineInDifferentSystemsAreRefusedByName) {
   EXPECT_THAT(refusal(settings, inDegrees()), HasSubstr("EPSG:4314"));
 }
 
+TEST(SiteDomain, sitesAdoptTheSystemOfTheirOutlineOrTheOneThatIsNamed) {
+  const Outline square{{{0, 0}, {90, 0}, {90, 90}, {0, 90}}, {0, 4}, {0, 1}};
+  DomainSettings settings{.outline = square, .outline_name = "city.gpkg"};
+  settings.outline_system = systemOfCode(25832);
+  PlacedSites placed = inDegrees();
+  placed.system = {};
+  placed.from = SitesFrom::file;
+  ASSERT_TRUE(findDomain(settings, placed, {.sites = "towns.csv"}));
+  EXPECT_EQ(placed.system.code, 25832);
+  EXPECT_THAT(placed.notes, testing::Contains(HasSubstr("towns.csv: names no coordinate system")));
+  settings.crs = systemOfCode(25833);
+  placed.system = {};
+  EXPECT_THAT(refusal(settings, placed),
+              HasSubstr("crs: EPSG:25833 is named, and city.gpkg is in EPSG:25832"));
+  // Degrees are adopted by coordinates that may be some.
+  settings = {.outline = square};
+  settings.outline_system = wgs84();
+  placed.sites.x[0] = 1000;
+  placed.system = {};
+  ASSERT_TRUE(findDomain(settings, placed));
+  EXPECT_FALSE(hasName(placed.system));
+}
+
 TEST(SiteDomain, thatNoSiteLiesInTheDomainIsSaidWithBothBoxes) {
   const auto notes = [](const DomainSettings& settings, PlacedSites placed) {
     EXPECT_TRUE(findDomain(settings, placed));
