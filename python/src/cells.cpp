@@ -8,6 +8,7 @@
 #include "choices.h"
 #include "errors.h"
 #include "io/cells/cells_file.h"
+#include "io/cells/cells_mesh.h"
 #include "io/cells/edges_file.h"
 #include "members.h"
 #include "results.h"
@@ -24,6 +25,18 @@ auto viewed(std::vector<Row> Diagram::*rows) {
   return [rows](const SharedCells& result) {
     return viewOf<Number>(result->shown().*rows, std::shared_ptr<const CellsResult>(result));
   };
+}
+
+/// Vertices, the site of each, and triangles of them.
+py::tuple triangleMesh(const CellsResult& result) {
+  CellTriangles mesh = valueOf(cellTriangles(result.diagram));
+  std::vector<std::array<float, 2>> vertices;
+  vertices.reserve(mesh.sites.size());
+  for (const Point& vertex : result.shown().vertices) {
+    vertices.push_back({static_cast<float>(vertex.x), static_cast<float>(vertex.y)});
+  }
+  return py::make_tuple(arrayOf<float>(std::move(vertices)), arrayOf<std::uint32_t>(std::move(mesh.sites)),
+                        arrayOf<std::uint32_t>(std::move(mesh.triangles)));
 }
 
 void saveCells(const CellsResult& result, const std::string& path, bool only_cells) {
@@ -122,6 +135,7 @@ void defineCells(py::module_& module) {
       .def_property_readonly("mass", viewed<double>(&Diagram::mass))
       .def_property_readonly("mass_centroids", viewed<double>(&Diagram::mass_centroid))
       .def_property_readonly("triangles", viewed<std::int32_t>(&Diagram::triangles))
+      .def("triangle_mesh", &triangleMesh)
       .def("area_sum", [](const CellsResult& result) { return areaSum(result.diagram); })
       .def("save", &saveCells, py::arg("path"), py::arg("only_cells"))
       .def("save_edges", &saveEdges, py::arg("path"), py::arg("threads"))

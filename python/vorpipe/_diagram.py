@@ -3,7 +3,7 @@ from __future__ import annotations
 
 import enum
 import operator
-from typing import TYPE_CHECKING, Any, Dict, Iterator, List, Mapping, Optional, Tuple
+from typing import TYPE_CHECKING, Any, Dict, Iterator, List, Mapping, NamedTuple, Optional, Tuple
 
 import numpy as np
 import numpy.typing as npt
@@ -21,6 +21,14 @@ if TYPE_CHECKING:
     from scipy.sparse import csr_array
 
 Integers = npt.NDArray[np.int64]
+
+
+class TriangleMesh(NamedTuple):
+    """Cells as indexed triangles, with the types that a GPU takes."""
+
+    vertices: npt.NDArray[np.float32]  #: (M, 2): those of the diagram, rounded; each belongs to one cell
+    points: npt.NDArray[np.uint32]  #: (M,): the point of each vertex
+    triangles: npt.NDArray[np.uint32]  #: (T, 3): indices of vertices, counter-clockwise, cell after cell
 
 
 class Status(enum.IntEnum):
@@ -239,6 +247,11 @@ class Diagram(Shown):
         """
         self._needs('all', 'triangles')
         return self._cells.triangles
+
+    def triangle_mesh(self) -> TriangleMesh:
+        """The cells as a vertex buffer and an index buffer."""
+        self._needs('polygons', 'triangle_mesh')
+        return TriangleMesh(*self._cells.triangle_mesh())
 
     def area_sum(self) -> float:
         """The sum of the areas, without what adding up would round off: the domain's area, if all is well."""

@@ -7,6 +7,7 @@ import numpy.typing as npt
 _Floats = npt.NDArray[np.float64]
 _Bools = npt.NDArray[np.bool_]
 _Int32s = npt.NDArray[np.int32]
+_Float32s = npt.NDArray[np.float32]
 _Density = Tuple[_Floats, Optional[Tuple[float, float, float, float]], bytes, Optional[_System]]
 _Outline = Tuple[_Floats, npt.NDArray[np.uint64], npt.NDArray[np.uint64], bytes, Optional[_System]]
 _System = Tuple[str, str, int, str]
@@ -177,6 +178,7 @@ class Cells:
     def area_sum(self) -> float: ...
     def save(self, path: bytes, only_cells: bool) -> None: ...
     def save_edges(self, path: bytes, threads: int) -> None: ...
+    def triangle_mesh(self) -> Tuple[_Float32s, npt.NDArray[np.uint32], npt.NDArray[np.uint32]]: ...
 
 class Topology:
     """The vertices and edges that cells share. Arrays are read-only, and show its memory."""

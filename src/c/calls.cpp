@@ -110,6 +110,7 @@ std::size_t sizeOf(vorpipe_type type) {
       return 1;
     case VORPIPE_INT32:
     case VORPIPE_UINT32:
+    case VORPIPE_FLOAT:
       return 4;
     case VORPIPE_INT64:
     case VORPIPE_UINT64:

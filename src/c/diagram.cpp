@@ -96,8 +96,8 @@ vorpipe_code find(vorpipe_session& session, const vorpipe_input& input, const vo
   return VORPIPE_DONE;
 }
 
-/// Returns the topology of cells in degrees. Shared positions are determined in the plane.
-Result<Topology> topologyByPlane(const vorpipe_diagram& diagram) {
+/// Returns cells in degrees as the plane had them: their rings and neighbors.
+Diagram inPlane(const vorpipe_diagram& diagram) {
   const Diagram& shown = diagram.diagram;
   Diagram plane;
   plane.status = shown.status;
@@ -105,7 +105,12 @@ Result<Topology> topologyByPlane(const vorpipe_diagram& diagram) {
   plane.ring_starts = shown.ring_starts;
   plane.neighbors = shown.neighbors;
   plane.vertices = diagram.plane->vertices;
-  auto topology = topologyOf(plane);
+  return plane;
+}
+
+/// Returns the topology of cells in degrees. Shared positions are determined in the plane.
+Result<Topology> topologyByPlane(const vorpipe_diagram& diagram) {
+  auto topology = topologyOf(inPlane(diagram));
   if (topology) toDegrees(*diagram.input->domain.projection, *topology);
   return topology;
 }
@@ -142,6 +147,29 @@ Result<vorpipe_array> borderArrayOf(const vorpipe_diagram& diagram, vorpipe_diag
       return array(diagram.borders.parts, VORPIPE_DOUBLE);
     case VORPIPE_BORDER_NEIGHBORS:
       return array(diagram.borders.neighbors, VORPIPE_INT64);
+    default:
+      return noField(field);
+  }
+}
+
+/// Returns the array of a field from VORPIPE_MESH_VERTICES on; it is found once, and the diagram keeps it.
+/// Errors: those of cellTriangles; there is no such field (input).
+Result<vorpipe_array> meshArrayOf(const vorpipe_diagram& diagram, vorpipe_diagram_field field) {
+  std::call_once(diagram.mesh_once, [&] {
+    diagram.mesh = diagram.plane ? cellTriangles(inPlane(diagram)) : cellTriangles(diagram.diagram);
+    for (const Point& vertex : diagram.diagram.vertices) {
+      diagram.mesh_vertices.push_back({static_cast<float>(vertex.x), static_cast<float>(vertex.y)});
+    }
+  });
+  const auto& mesh = *diagram.mesh;
+  if (!mesh) return tl::unexpected(mesh.error());
+  switch (field) {
+    case VORPIPE_MESH_VERTICES:
+      return array(diagram.mesh_vertices, VORPIPE_FLOAT);
+    case VORPIPE_MESH_SITES:
+      return array(mesh->sites, VORPIPE_UINT32);
+    case VORPIPE_MESH_TRIANGLES:
+      return array(mesh->triangles, VORPIPE_UINT32);
     default:
       return noField(field);
   }
@@ -189,6 +217,7 @@ vorpipe_code vorpipe_diagram_array(const vorpipe_diagram* diagram, vorpipe_diagr
                                    vorpipe_array* array) {
   VORPIPE_NEEDS(diagram, array);
   return guarded([&] {
+    if (field > VORPIPE_BORDER_NEIGHBORS) return give(meshArrayOf(*diagram, field), array);
     if (field > VORPIPE_EDGE_CELLS) return give(borderArrayOf(*diagram, field), array);
     const bool shared = field >= VORPIPE_SHARED_VERTICES;
     return give(shared ? sharedArrayOf(*diagram, field) : arrayOf(diagram->diagram, field), array);

@@ -14,6 +14,7 @@
 #include "c/vorpipe_c.h"
 #include "io/base/attribute.h"
 #include "io/base/coordinate_system.h"
+#include "io/cells/cells_mesh.h"
 #include "io/sites/site_domain.h"
 #include "io/sites/site_source.h"
 #include "vorpipe.h"
@@ -86,6 +87,9 @@ struct vorpipe_diagram {
   mutable std::optional<vorpipe::Result<vorpipe::Topology>> topology;  ///< found on first request
   mutable std::once_flag borders_once;
   mutable vorpipe::c::Borders borders;  ///< likewise
+  mutable std::once_flag mesh_once{};
+  mutable std::optional<vorpipe::Result<vorpipe::CellTriangles>> mesh{};  ///< likewise
+  mutable std::vector<std::array<float, 2>> mesh_vertices{};              ///< likewise
 };
 
 struct vorpipe_locator {

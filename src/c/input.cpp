@@ -27,11 +27,16 @@ namespace vorpipe::c {
 namespace {
 
 /// Copies `count` numbers, each `stride` bytes after the one before; 0: without gaps.
-std::vector<double> copied(const double* numbers, std::uint64_t count, std::size_t stride) {
-  if (stride == 0 || stride == sizeof(double)) return {numbers, numbers + count};
+template <class Number>
+std::vector<double> copied(const Number* numbers, std::uint64_t count, std::size_t stride) {
+  if (stride == 0 || stride == sizeof(Number)) return {numbers, numbers + count};
   std::vector<double> copy(count);
   const auto* bytes = reinterpret_cast<const unsigned char*>(numbers);
-  for (std::uint64_t k = 0; k < count; ++k) std::memcpy(&copy[k], bytes + k * stride, sizeof(double));
+  for (std::uint64_t k = 0; k < count; ++k) {
+    Number number;
+    std::memcpy(&number, bytes + k * stride, sizeof(Number));
+    copy[k] = number;
+  }
   return copy;
 }
 
@@ -101,7 +106,9 @@ void takeDensity(vorpipe_input& input, DensityFile density, std::string name) {
   input.density_looked_at = nullptr;
 }
 
-Result<Sites> sitesOf(const vorpipe_sites& given) {
+/// `Given` is vorpipe_sites or vorpipe_sites_float.
+template <class Given>
+Result<Sites> sitesOf(const Given& given) {
   if (given.count > max_sites) {
     return inputError(fmt::format("sites: {} of at most {}", given.count, max_sites));
   }
@@ -117,6 +124,44 @@ Result<Sites> sitesOf(const vorpipe_sites& given) {
         Error{ErrorCode::input, fmt::format("sites: site {} is not finite", k), false, Subject::sites});
   }
   return sites;
+}
+
+template <class Given>
+vorpipe_code createInput(const Given* sites, std::string_view name, vorpipe_input** input) {
+  VORPIPE_NEEDS(sites, input);
+  return guarded([&] {
+    VORPIPE_TAKE(given, taken(sites, name));
+    VORPIPE_TAKE(copy, sitesOf(given));
+    return giveInput(inputOf(std::move(copy)), input);
+  });
+}
+
+/// Replaces the sites. Errors (input): weights or attributes that stay are of another number.
+Result<void> replaceSites(vorpipe_input& input, Sites sites) {
+  const std::vector<double>& weight = input.sites->weight;
+  if (sites.weight.empty() && !weight.empty() && weight.size() != sites.size()) {
+    return inputError(fmt::format("weights: {} for {} sites", weight.size(), sites.size()));
+  }
+  if (!input.attributes->empty() && input.sites->size() != sites.size()) {
+    return inputError(
+        fmt::format("attributes: are of {} sites, not of {}", input.sites->size(), sites.size()));
+  }
+  if (sites.weight.empty()) sites.weight = weight;
+  input.sites = std::make_shared<const Sites>(std::move(sites));
+  input.from = SitesFrom::caller;
+  input.generator = std::nullopt;
+  findAnew(input);
+  return {};
+}
+
+template <class Given>
+vorpipe_code setSites(vorpipe_input* input, const Given* sites, std::string_view name) {
+  VORPIPE_NEEDS(input, sites);
+  return guarded([&] {
+    VORPIPE_TAKE(given, taken(sites, name));
+    VORPIPE_TAKE(copy, sitesOf(given));
+    return codeOf(replaceSites(*input, std::move(copy)));
+  });
 }
 
 vorpipe_attribute_type numberOf(AttributeType type) {
@@ -152,12 +197,19 @@ using namespace vorpipe;
 using namespace vorpipe::c;
 
 vorpipe_code vorpipe_input_create(const vorpipe_sites* sites, vorpipe_input** input) {
-  VORPIPE_NEEDS(sites, input);
-  return guarded([&] {
-    VORPIPE_TAKE(given, taken(sites, "vorpipe_sites"));
-    VORPIPE_TAKE(copy, sitesOf(given));
-    return giveInput(inputOf(std::move(copy)), input);
-  });
+  return createInput(sites, "vorpipe_sites", input);
+}
+
+vorpipe_code vorpipe_input_create_float(const vorpipe_sites_float* sites, vorpipe_input** input) {
+  return createInput(sites, "vorpipe_sites_float", input);
+}
+
+vorpipe_code vorpipe_input_set_sites(vorpipe_input* input, const vorpipe_sites* sites) {
+  return setSites(input, sites, "vorpipe_sites");
+}
+
+vorpipe_code vorpipe_input_set_sites_float(vorpipe_input* input, const vorpipe_sites_float* sites) {
+  return setSites(input, sites, "vorpipe_sites_float");
 }
 
 vorpipe_code vorpipe_input_read(const char* sites, uint64_t seed, vorpipe_input** input) {

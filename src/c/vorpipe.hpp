@@ -13,6 +13,7 @@
 #include <stdexcept>
 #include <string>
 #include <string_view>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -133,18 +134,28 @@ inline std::vector<std::string> names(vorpipe_list list) {
 
 class Input {
  public:
-  /// Sites as rows of x and y, in whatever type of two doubles.
+  /// Sites as rows of x and y, in whatever type of two doubles or of two floats.
   template <class Points>
   static Input of(const Points& points) {
-    static_assert(sizeof(*points.data()) == 2 * sizeof(double), "points are pairs of doubles");
-    const auto* numbers = reinterpret_cast<const double*>(points.data());
-    vorpipe_sites sites = {};
-    sites.struct_size = sizeof sites;
-    sites.count = points.size();
-    sites.x = numbers;
-    sites.y = numbers + 1;
-    sites.position_stride = 2 * sizeof(double);
-    return create(sites);
+    vorpipe_input* input = nullptr;
+    const auto sites = rowsOf(points);
+    if constexpr (isFloat<Points>()) {
+      done(vorpipe_input_create_float(&sites, &input));
+    } else {
+      done(vorpipe_input_create(&sites, &input));
+    }
+    return Input(input);
+  }
+  /// Moves the sites, or replaces them, as vorpipe_input_set_sites says.
+  template <class Points>
+  Input& sites(const Points& points) {
+    const auto sites = rowsOf(points);
+    if constexpr (isFloat<Points>()) {
+      done(vorpipe_input_set_sites_float(get(), &sites));
+    } else {
+      done(vorpipe_input_set_sites(get(), &sites));
+    }
+    return *this;
   }
   static Input create(const vorpipe_sites& sites) {
     vorpipe_input* input = nullptr;
@@ -290,6 +301,23 @@ class Input {
   friend class Transported;
   friend class Fluid;
   explicit Input(vorpipe_input* input) : input_(input) {}
+  template <class Points>
+  static constexpr bool isFloat() {
+    return sizeof(*std::declval<const Points&>().data()) == 2 * sizeof(float);
+  }
+  template <class Points>
+  static auto rowsOf(const Points& points) {
+    using Number = std::conditional_t<isFloat<Points>(), float, double>;
+    static_assert(sizeof(*points.data()) == 2 * sizeof(Number), "points are pairs of doubles or of floats");
+    const auto* numbers = reinterpret_cast<const Number*>(points.data());
+    std::conditional_t<isFloat<Points>(), vorpipe_sites_float, vorpipe_sites> sites = {};
+    sites.struct_size = sizeof sites;
+    sites.count = points.size();
+    sites.x = numbers;
+    sites.y = numbers + 1;
+    sites.position_stride = 2 * sizeof(Number);
+    return sites;
+  }
   Owned<vorpipe_input, vorpipe_input_free> input_;
 };
 
@@ -344,6 +372,15 @@ class Diagram {
     return view<std::int64_t>(VORPIPE_BORDER_NEIGHBORS);
   }
   /// Those of one cell.
+  /// Cells as indexed triangles for a GPU.
+  [[nodiscard]] View<std::array<float, 2>> meshVertices() const {
+    return view<std::array<float, 2>>(VORPIPE_MESH_VERTICES);
+  }
+  [[nodiscard]] View<std::uint32_t> meshSites() const { return view<std::uint32_t>(VORPIPE_MESH_SITES); }
+  [[nodiscard]] View<std::array<std::uint32_t, 3>> meshTriangles() const {
+    return view<std::array<std::uint32_t, 3>>(VORPIPE_MESH_TRIANGLES);
+  }
+
   [[nodiscard]] View<Point> vertices(std::size_t cell) const { return ofCell(vertices(), cell); }
   [[nodiscard]] View<std::int64_t> neighbors(std::size_t cell) const { return ofCell(neighbors(), cell); }
   [[nodiscard]] double areaSum() const { return vorpipe_diagram_area_sum(get()); }

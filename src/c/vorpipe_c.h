@@ -187,6 +187,24 @@ typedef struct vorpipe_outline {
 VORPIPE_API vorpipe_code vorpipe_input_create(const vorpipe_sites* sites, vorpipe_input** input);
 VORPIPE_API vorpipe_code vorpipe_input_read(const char* sites, uint64_t seed, vorpipe_input** input);
 VORPIPE_API void vorpipe_input_free(vorpipe_input* input);
+/* Moves the sites, in the system that the input has; or replaces them by another number of sites. Without
+ * weights they keep those that are set. Attributes and weights that are kept must be of this number. The
+ * domain and whatever else is set stays; one that was not set is found anew, as that of the caller's sites.
+ */
+VORPIPE_API vorpipe_code vorpipe_input_set_sites(vorpipe_input* input, const vorpipe_sites* sites);
+/* vorpipe_sites in floats; runs compute in double. */
+typedef struct vorpipe_sites_float {
+  uint32_t struct_size;
+  uint64_t count;
+  const float* x;
+  const float* y;
+  const float* weight;
+  size_t position_stride;
+  size_t weight_stride;
+} vorpipe_sites_float;
+VORPIPE_API vorpipe_code vorpipe_input_create_float(const vorpipe_sites_float* sites, vorpipe_input** input);
+VORPIPE_API vorpipe_code vorpipe_input_set_sites_float(vorpipe_input* input,
+                                                       const vorpipe_sites_float* sites);
 VORPIPE_API uint64_t vorpipe_input_count(const vorpipe_input* input);
 
 /* How a file with sites is read, where it does not say so itself. */
@@ -315,7 +333,8 @@ enum {
   VORPIPE_UINT32 = 3,
   VORPIPE_INT64 = 4,
   VORPIPE_UINT64 = 5,
-  VORPIPE_DOUBLE = 6
+  VORPIPE_DOUBLE = 6,
+  VORPIPE_FLOAT = 7
 };
 
 /* `count` rows of `columns` numbers of one type, without gaps. */
@@ -396,9 +415,14 @@ enum {
   VORPIPE_EDGE_VERTICES = 20,   /* by edge: 2 uint32, shared vertices */
   VORPIPE_EDGE_CELLS = 21,      /* by edge: 2 int64, sites; the second may be a wall */
   /* Of a free surface: the lines around cells, counter-clockwise, found when first asked for. */
-  VORPIPE_BORDER_OFFSETS = 22,  /* by site, and one more: uint64, where the parts of its border begin */
-  VORPIPE_BORDER_PARTS = 23,    /* 5 doubles: from and to; the angle of an arc around the site, 0: straight */
-  VORPIPE_BORDER_NEIGHBORS = 24 /* by part: int64, as VORPIPE_CELL_NEIGHBORS */
+  VORPIPE_BORDER_OFFSETS = 22, /* by site, and one more: uint64, where the parts of its border begin */
+  VORPIPE_BORDER_PARTS = 23,   /* 5 doubles: from and to; the angle of an arc around the site, 0: straight */
+  VORPIPE_BORDER_NEIGHBORS = 24, /* by part: int64, as VORPIPE_CELL_NEIGHBORS */
+  /* Cells as indexed triangles for a GPU, found when first asked for: each vertex belongs to one cell. Of
+   * VORPIPE_EVERYTHING and VORPIPE_POLYGONS. */
+  VORPIPE_MESH_VERTICES = 25, /* 2 floats: VORPIPE_CELL_VERTICES, rounded */
+  VORPIPE_MESH_SITES = 26,    /* by vertex: uint32 */
+  VORPIPE_MESH_TRIANGLES = 27 /* 3 uint32: vertices, counter-clockwise, cell after cell */
 };
 
 /* Writes an array of the diagram, which it keeps. One that this diagram does not have is empty. */

@@ -118,6 +118,12 @@ int main() {
   promise(stations.domain()[2] > 40 && stations.notes().empty(), "a plane in kilometers");
   promise(std::abs(session.cells(stations).centroid()[0].y - 42) < 0.5, "positions in degrees");
   promise(thrownBy([&] { stations.project(12, 91); }) == VORPIPE_INPUT, "no place on the Earth");
+  const std::vector<std::array<float, 2>> quarter{{0.25F, 0.5F}, {0.75F, 0.5F}};
+  auto game = vorpipe::Input::of(quarter);
+  game.box(0, 0, 1, 1).sites(std::vector<std::array<float, 2>>{{0.25F, 0.25F}, {0.25F, 0.75F}});
+  const vorpipe::Diagram level = session.cells(game);
+  promise(level.neighbors(0).size() == 4 && level.meshTriangles().size() == 4, "two triangles a cell");
+  promise(level.meshSites()[7] == 1 && level.meshVertices().size() == 8, "vertices of a mesh");
   vorpipe_render_options looks = {};
   looks.color = VORPIPE_BY_AREA;
   looks.color_scale = VORPIPE_SCALE_LINEAR;

@@ -28,6 +28,25 @@ def test_arrays_of_a_diagram_are_read_only_views(name, diagram):
         copy[...] = 0
 
 
+@pytest.mark.parametrize('options', [
+    {}, {'domain': (0, 0, 1, 1), 'periodic': 'xy'},
+    {'domain': [[(0, 0), (1, 0), (1, 1), (.7, 1), (.7, .3), (.3, .3), (.3, 1), (0, 1)],
+                [(.1, .5), (.1, .6), (.2, .6), (.2, .5)]]}])
+def test_triangles_of_a_mesh_fill_each_cell(options):
+    points = np.random.default_rng(12).random((60, 2), dtype=np.float32)  # which are taken as they are
+    diagram = vorpipe.cells(points, **options)
+    vertices, owners, triangles = diagram.triangle_mesh()
+    assert (vertices.dtype, owners.dtype, triangles.dtype) == (np.float32, np.uint32, np.uint32)
+    assert np.array_equal(vertices, diagram.vertices.astype(np.float32))
+    a, b, c = vertices[triangles].astype(float).transpose(1, 0, 2)
+    areas = ((b - a)[:, 0] * (c - a)[:, 1] - (b - a)[:, 1] * (c - a)[:, 0]) / 2
+    assert (owners[triangles] == owners[triangles][:, :1]).all()
+    filled = np.bincount(owners[triangles[:, 0]], weights=areas, minlength=60)
+    assert np.allclose(filled, diagram.areas, atol=1e-6, rtol=0) and areas.min() > -1e-7
+    with pytest.raises(vorpipe.InputError, match='polygons'):
+        vorpipe.cells(points, detail='measures').triangle_mesh()
+
+
 def test_arrays_have_types_that_numpy_computes_with(diagram):
     assert (diagram.offsets + diagram.neighbors[:1]).dtype == np.int64
     assert diagram.points[diagram.triangles].shape == (len(diagram.triangles), 3, 2)

@@ -62,6 +62,62 @@ std::optional<Triangles> trianglesOf(const Diagram& diagram, std::span<const Rin
   return triangles;
 }
 
+bool isBefore(const Point& a, const Point& b) { return a.x != b.x ? a.x < b.x : a.y < b.y; }
+
+/// The vertices of a piece, by their places.
+class PieceVertices {
+ public:
+  PieceVertices(const Diagram& diagram, std::span<const Ring> piece) : diagram_(diagram) {
+    for (const Ring& ring : piece) {
+      for (auto entry = ring.begin; entry < ring.end; ++entry) entries_.push_back(entry);
+    }
+    std::ranges::sort(entries_, isBefore, [this](std::uint64_t entry) { return diagram_.vertices[entry]; });
+  }
+  /// Returns the entry of a triangle's corner: triangles only have vertices of their piece.
+  [[nodiscard]] std::optional<std::uint64_t> at(const Point& corner) const {
+    const auto vertex = [this](std::uint64_t entry) { return diagram_.vertices[entry]; };
+    const auto found = std::ranges::lower_bound(entries_, corner, isBefore, vertex);
+    if (found == entries_.end() || isBefore(corner, vertex(*found))) return std::nullopt;
+    return *found;
+  }
+
+ private:
+  const Diagram& diagram_;
+  std::vector<std::uint64_t> entries_;
+};
+
+/// Whether the triangles from a ring's first vertex to its sides fill it: none of them is turned over.
+bool isFan(std::span<const Point> ring) {
+  const Point& a = ring.front();
+  for (std::size_t k = 2; k < ring.size(); ++k) {
+    const Point &b = ring[k - 1], &c = ring[k];
+    if ((b.x - a.x) * (c.y - a.y) < (b.y - a.y) * (c.x - a.x)) return false;
+  }
+  return true;
+}
+
+/// Adds the triangles of a piece; returns whether it could be cut.
+bool addTriangles(const Diagram& diagram, std::span<const Ring> piece, bool is_convex, CellTriangles& to) {
+  const auto add = [&](std::uint64_t a, std::uint64_t b, std::uint64_t c) {
+    to.triangles.push_back(
+        {static_cast<std::uint32_t>(a), static_cast<std::uint32_t>(b), static_cast<std::uint32_t>(c)});
+  };
+  const Ring& outer = piece.front();
+  if (piece.size() == 1 && (is_convex || isFan(verticesOf(diagram, outer)))) {
+    for (auto entry = outer.begin + 2; entry < outer.end; ++entry) add(outer.begin, entry - 1, entry);
+    return true;
+  }
+  const auto triangles = trianglesOf(diagram, piece);
+  if (!triangles) return false;
+  const PieceVertices vertices(diagram, piece);
+  for (const auto& [a, b, c] : *triangles) {
+    const auto first = vertices.at(a), second = vertices.at(b), third = vertices.at(c);
+    if (!first || !second || !third) return false;
+    add(*first, *second, *third);
+  }
+  return true;
+}
+
 class MeshMaker {
  public:
   MeshMaker(const Diagram& diagram, DistinctPoints vertices, CellsMesh& mesh)
@@ -82,10 +138,10 @@ class MeshMaker {
       }
       const auto triangles = trianglesOf(diagram_, piece);
       if (!triangles) return false;
-      const auto entries = byPosition(piece);
+      const PieceVertices vertices(diagram_, piece);
       for (const auto& triangle : *triangles) {
         for (const Point& corner : triangle) {
-          const auto entry = entryAt(entries, corner);
+          const auto entry = vertices.at(corner);
           if (!entry) return false;
           addCorner(*entry);
         }
@@ -126,24 +182,6 @@ class MeshMaker {
     mesh_.sites.push_back(site);
   }
 
-  [[nodiscard]] std::vector<std::uint64_t> byPosition(std::span<const Ring> piece) const {
-    std::vector<std::uint64_t> entries;
-    for (const Ring& ring : piece) {
-      for (auto entry = ring.begin; entry < ring.end; ++entry) entries.push_back(entry);
-    }
-    std::ranges::sort(entries, isBefore, [this](std::uint64_t entry) { return diagram_.vertices[entry]; });
-    return entries;
-  }
-  /// Returns the entry of a triangle's corner: triangles only have vertices of their piece.
-  [[nodiscard]] std::optional<std::uint64_t> entryAt(const std::vector<std::uint64_t>& entries,
-                                                     const Point& corner) const {
-    const auto vertex = [this](std::uint64_t entry) { return diagram_.vertices[entry]; };
-    const auto found = std::ranges::lower_bound(entries, corner, isBefore, vertex);
-    if (found == entries.end() || isBefore(corner, vertex(*found))) return std::nullopt;
-    return *found;
-  }
-  static bool isBefore(const Point& a, const Point& b) { return a.x != b.x ? a.x < b.x : a.y < b.y; }
-
   const Diagram& diagram_;
   std::vector<std::uint32_t> vertex_of_;  ///< by position in Diagram::vertices
   CellsMesh& mesh_;
@@ -173,6 +211,29 @@ Result<CellsMesh> cellsMesh(const ByteSink& sink, const Diagram& diagram) {
   if (mesh.corners.size() + mesh.size() > largest) return tooMany();
   maker.numberPoints();
   return mesh;
+}
+
+Result<CellTriangles> cellTriangles(const Diagram& diagram) {
+  if (diagram.vertices.size() > std::numeric_limits<std::uint32_t>::max()) {
+    return inputError(
+        fmt::format("triangles: {} vertices are more than 32 bits count", diagram.vertices.size()));
+  }
+  CellTriangles found;
+  if (diagram.vertices.empty()) return found;  // offsets may be those of neighbors
+  found.triangles.reserve(diagram.vertices.size());
+  found.sites.resize(diagram.vertices.size());
+  const bool is_convex = diagram.ring_starts.empty();
+  for (std::size_t site = 0; site < diagram.size(); ++site) {
+    std::fill(found.sites.begin() + static_cast<std::ptrdiff_t>(diagram.cell_offsets[site]),
+              found.sites.begin() + static_cast<std::ptrdiff_t>(diagram.cell_offsets[site + 1]),
+              static_cast<std::uint32_t>(site));
+    const auto rings = ringsOf(diagram, site);
+    for (const auto piece : piecesOf(rings)) {
+      if (addTriangles(diagram, piece, is_convex, found)) continue;
+      return deviceError(fmt::format("triangles: the cell of site {} could not be cut into triangles", site));
+    }
+  }
+  return found;
 }
 
 }  // namespace vorpipe

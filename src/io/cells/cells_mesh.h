@@ -1,6 +1,7 @@
 /// Cells as faces that share vertices.
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -28,5 +29,15 @@ struct CellsMesh {
 /// formats, 32-bit and signed, can count (input); a piece with holes could not be cut into triangles
 /// (device). The message names `sink`.
 Result<CellsMesh> cellsMesh(const ByteSink& sink, const Diagram& diagram);
+
+/// Cells as triangles for a device, which has the diagram's vertices as they are: each belongs to one cell.
+struct CellTriangles {
+  std::vector<std::array<std::uint32_t, 3>> triangles;  ///< in Diagram::vertices, counter-clockwise, by cell
+  std::vector<std::uint32_t> sites;                     ///< by vertex
+};
+
+/// Cuts each piece of a cell into a fan, or where that does not fill it, as GEOS does. Errors: more vertices
+/// than 32 bits count (input); a piece could not be cut (device).
+Result<CellTriangles> cellTriangles(const Diagram& diagram);
 
 }  // namespace vorpipe
