@@ -126,5 +126,8 @@ alike airports --sites "$root/tests/data/navaids.csv" --domain -180,-90,180,90 -
   --size 1600 --quiet
 alike italy --sites "$root/tests/data/navaids.csv" --domain "$root/docs/examples/italy.geojson" --project auto --color area \
   --edges --edge-width 1.5 --show-sites --antialias 4 --size 1200 --quiet
+draw cities --sites "$root/docs/examples/italian-cities.csv" --domain "$root/docs/examples/italy.geojson" --project auto \
+  --color @people --color-scale log --legend beside --legend-title 'people, thousands' --labels @city --label-size 8 \
+  --show-sites --edges --antialias 4 --title 'Italy by the nearest of 37 cities' --quiet
 alike foam --sites random:500 --random-weights 0,0.001 --periodic xy --color neighbors --colormap plasma --edges \
   --edge-width 2 --legend --antialias 4 --size 800

@@ -3,22 +3,34 @@
 #include <pybind11/pybind11.h>
 #include <pybind11/stl.h>
 
+#include <algorithm>
 #include <array>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "base/try.h"
 #include "choices.h"
+#include "io/sites/attribute_values.h"
 #include "results.h"
 
 namespace vorpipe::python {
 namespace {
 
 struct Colors {
-  std::string by, map;
+  std::string by;
+  std::optional<std::string> map;
+  std::vector<std::string> own;
   std::optional<std::string> scale;
   std::optional<std::pair<double, double>> range;
   bool legend, fill;
+};
+
+/// What stands around a picture and in its cells, and the attributes that colors and labels show.
+struct Words {
+  std::string title, legend_title, color, labels;
+  bool legend_beside;
+  SharedAttributes own;
 };
 
 PhotographFile photographIn(const std::string& path) {
@@ -31,8 +43,8 @@ PhotographFile photographIn(const std::string& path) {
 using SizeArguments = std::pair<int, std::optional<int>>;
 
 Look lookOf(const std::optional<SizeArguments>& size, const std::optional<std::string>& fit,
-            const Colors& colors, const py::dict& marks, const std::string& search, int neighbors,
-            const std::optional<std::array<double, 4>>& view) {
+            const Colors& colors, const Words& words, const py::dict& marks, const std::string& search,
+            int neighbors, const std::optional<std::array<double, 4>>& view) {
   Look look{};
   if (size && size->second) look.size = PictureSize{size->first, *size->second};
   if (size && !size->second) look.longer_side = size->first;
@@ -44,7 +56,14 @@ Look lookOf(const std::optional<SizeArguments>& size, const std::optional<std::s
   } else {
     options.color = chosen<ColorBy>("color", colors.by);
   }
-  options.colormap = colors.map;
+  options.colormap = colors.map.value_or("");
+  for (const std::string& color : colors.own) options.colors.push_back(colorOf("colormap", color));
+  options.title = words.title;
+  options.legend_title = words.legend_title;
+  options.legend_beside = words.legend_beside;
+  look.color = words.color;
+  look.labels = words.labels;
+  look.own = words.own;
   if (colors.scale) options.color_scale = chosen("color_scale", *colors.scale, ColorScale::linear);
   if (colors.range) options.color_range = ColorRange{colors.range->first, colors.range->second};
   options.legend = colors.legend;
@@ -53,6 +72,21 @@ Look lookOf(const std::optional<SizeArguments>& size, const std::optional<std::s
   options.search = {chosen<Search>("search", search), neighbors};
   if (view) options.view = Box{(*view)[0], (*view)[1], (*view)[2], (*view)[3]};
   return look;
+}
+
+/// Returns the values given for an argument, or the attribute that it names; null: neither.
+const Attribute* attributeFor(const Look& look, const Input& input, const std::string& argument,
+                              const std::string& name) {
+  if (look.own) {
+    const auto has_name = [&](const Attribute& attribute) { return attribute.name() == argument; };
+    const auto found = std::ranges::find_if(look.own->columns, has_name);
+    if (found != look.own->columns.end()) return &*found;
+  }
+  if (name.empty()) return nullptr;
+  static const std::vector<Attribute> none;
+  const auto found = attributeNamed(input.attributes ? input.attributes->columns : none, name);
+  if (!found) raiseInput(argument, found.error().message);
+  return *found;
 }
 
 }  // namespace
@@ -68,6 +102,16 @@ RenderOptions renderOptionsOf(const Look& look, const Input& input) {
   options.width = size.width;
   options.height = size.height;
   options.fit = look.fit.value_or(usualFit(input));
+  if (const Attribute* const shown = attributeFor(look, input, "color", look.color)) {
+    auto values = valuesOf(*shown);
+    if (!values) raiseInput("color", values.error().message);
+    options.color = ColorBy::value;
+    options.values = std::move(*values);
+    options.values.title = look.color;
+  }
+  if (const Attribute* const shown = attributeFor(look, input, "labels", look.labels)) {
+    options.texts = textsOf(*shown);
+  }
   return options;
 }
 
@@ -86,15 +130,23 @@ Result<void> takeColors(const Look& look, const Input& input, int threads, Rende
 
 void defineLook(py::module_& module) {
   py::class_<Colors>(module, "Colors", "How cells are colored.")
-      .def(py::init([](const std::string& by, const std::string& map, const std::optional<std::string>& scale,
+      .def(py::init([](const std::string& by, const std::optional<std::string>& map,
+                       const std::vector<std::string>& own, const std::optional<std::string>& scale,
                        const std::optional<std::pair<double, double>>& range, bool legend,
-                       bool fill) { return Colors{by, map, scale, range, legend, fill}; }),
-           py::arg("by"), py::arg("map"), py::arg("scale"), py::arg("range"), py::arg("legend"),
-           py::arg("fill"));
+                       bool fill) { return Colors{by, map, own, scale, range, legend, fill}; }),
+           py::arg("by"), py::arg("map"), py::arg("own"), py::arg("scale"), py::arg("range"),
+           py::arg("legend"), py::arg("fill"));
+  py::class_<Words>(module, "Words", "The texts of a picture, and the attributes that it shows.")
+      .def(py::init([](const std::string& title, const std::string& legend_title, const std::string& color,
+                       const std::string& labels, bool legend_beside, const SharedAttributes& own) {
+             return Words{title, legend_title, color, labels, legend_beside, own};
+           }),
+           py::arg("title"), py::arg("legend_title"), py::arg("color"), py::arg("labels"),
+           py::arg("legend_beside"), py::arg("own").none(true));
   module.attr("MARKS") = usualOptions<RenderOptions>(picture_rows);
   py::class_<Look>(module, "Look", "How a picture is to look.")
-      .def(py::init(&lookOf), py::arg("size"), py::arg("fit"), py::arg("colors"), py::arg("marks"),
-           py::arg("search"), py::arg("neighbors"), py::arg("view"));
+      .def(py::init(&lookOf), py::arg("size"), py::arg("fit"), py::arg("colors"), py::arg("words"),
+           py::arg("marks"), py::arg("search"), py::arg("neighbors"), py::arg("view"));
 }
 
 }  // namespace vorpipe::python

@@ -17,6 +17,8 @@ struct Look {
   RenderOptions options{};          ///< but what follows from the input
   std::string color_file{};         ///< of the photograph; empty: none
   PhotographFile photograph{};
+  std::string color, labels;  ///< the input's attributes that colors and labels show; empty: none
+  SharedAttributes own{};     ///< in place of these, called "color" and "labels"; may be null
 };
 
 /// The options of a picture of the input.

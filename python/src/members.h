@@ -259,10 +259,20 @@ static_assert(has_all_members<ColorRange>());
 
 template <>
 struct Members<ColorKey> {
-  static constexpr auto all = named(member("color", &ColorKey::color), member("scale", &ColorKey::scale),
-                                    member("range", &ColorKey::range), member("ticks", &ColorKey::ticks));
+  static constexpr auto all = named(
+      member("color", &ColorKey::color), member("scale", &ColorKey::scale), member("range", &ColorKey::range),
+      member("ticks", &ColorKey::ticks), member("title", &ColorKey::title), member("names", &ColorKey::names),
+      member("other_names", &ColorKey::other_names), member("has_missing", &ColorKey::has_missing));
 };
 static_assert(has_all_members<ColorKey>());
+
+template <>
+struct Members<SiteValues> {
+  static constexpr auto all =
+      named(member("title", &SiteValues::title), member("numbers", &SiteValues::numbers),
+            member("name_of", &SiteValues::name_of), member("names", &SiteValues::names));
+};
+static_assert(has_all_members<SiteValues>());
 
 /// The members that have rows.
 template <class... Row>
@@ -279,7 +289,10 @@ struct Members<RenderOptions> {
             member("color_range", &RenderOptions::color_range), member("legend", &RenderOptions::legend),
             member("fit", &RenderOptions::fit), member("view", &RenderOptions::view),
             member("fill", &RenderOptions::fill), member("site_colors", &RenderOptions::site_colors),
-            member("paper", &RenderOptions::paper)),
+            member("paper", &RenderOptions::paper), member("values", &RenderOptions::values),
+            member("colors", &RenderOptions::colors), member("texts", &RenderOptions::texts),
+            member("title", &RenderOptions::title), member("legend_title", &RenderOptions::legend_title),
+            member("legend_beside", &RenderOptions::legend_beside)),
       membersOf(picture_rows));
 };
 static_assert(has_all_members<RenderOptions>(4));  // the progress is the run's, the others are the input's

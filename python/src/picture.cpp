@@ -59,7 +59,8 @@ std::string pixelExtensions() {
 
 void savePicture(const PictureResult& result, const std::string& path) {
   const PictureOutput output{
-      result.input->sites, result.options, &result.rendering.image, nullptr, result.input->system, 0};
+      result.input->sites, result.options, &result.rendering.image, nullptr, result.input->system, 0,
+      result.rendering.key};
   if (const auto ids = idsFormatOf(path)) {
     saveFile(path, result.input->files, [&](ByteSink& sink) { return (*ids)->write(sink, output); });
     return;
@@ -77,11 +78,17 @@ void savePicture(const PictureResult& result, const std::string& path) {
 
 void defineKey(py::module_& module) {
   py::class_<ColorKey>(module, "ColorKey", "What the colors of a picture stand for.")
-      .def_property_readonly("color", [](const ColorKey& key) { return nameOf(key.color); })
+      .def_property_readonly("color",
+                             [](const ColorKey& key) {
+                               return key.color == ColorBy::value ? std::string_view("values")
+                                                                  : nameOf(key.color);
+                             })
       .def_property_readonly("scale", [](const ColorKey& key) { return nameOf(key.scale); })
       .def_property_readonly("range",
                              [](const ColorKey& key) { return std::pair(key.range.low, key.range.high); })
       .def_readonly("ticks", &ColorKey::ticks)
+      .def_readonly("title", &ColorKey::title)
+      .def_readonly("names", &ColorKey::names)
       .def(pickles<ColorKey>());
 }
 

@@ -177,21 +177,6 @@ def options_of(usual: Mapping[str, Any], given: Mapping[str, Any]) -> Dict[str, 
     return options
 
 
-def look_of(size: Size, color: str, *, colormap: str = 'viridis', color_scale: Optional[str] = None,
-            color_range: Optional[Sequence[float]] = None, legend: bool = False, fit: Optional[str] = None,
-            search: Any = 'grid', fill: bool = True, view: Optional[Sequence[float]] = None,
-            **marks: Any) -> _vorpipe.Look:
-    if colormap not in _vorpipe.colormaps():
-        raise refuse('colormap', f'{colormap!r} is none of {", ".join(_vorpipe.colormaps())}')
-    method, neighbors = search_of(search)
-    colors = _vorpipe.Colors(text_of('color', color), colormap, text_or_none('color_scale', color_scale),
-                             range_of(color_range), flag_of('legend', legend), flag_of('fill', fill))
-    if marks.get('dot_size') is None:
-        marks.pop('dot_size', None)
-    return _vorpipe.Look(size_of(size), text_or_none('fit', fit), colors, options_of(_vorpipe.MARKS, marks), method,
-                         neighbors, box_of(view, 'view'))
-
-
 def density_of(value: Any, box: Optional[Sequence[float]] = None) -> Optional[Density]:
     """An array of shape (H, W), row 0 at the top, or the path of a .png or .npy file; and where its pixels lie."""
     place = box_of(box, 'density_box')

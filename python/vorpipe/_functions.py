@@ -3,7 +3,7 @@ from __future__ import annotations
 
 from typing import Any, List, Mapping, NamedTuple, Optional, Sequence, Tuple, Union, overload
 
-from . import _arguments, _scalars, _vorpipe
+from . import _arguments, _look, _scalars, _vorpipe
 from ._arguments import Floats, PathLike, Size
 from ._diagram import Diagram
 from ._names import renamed
@@ -85,31 +85,36 @@ def cells(points: Any, weights: Any = None, domain: Any = None, periodic: Union[
 
 
 @renamed(outline='domain')
-def render(points: Any, weights: Any = None, domain: Any = None, size: Size = None, color: str = 'site',
-           colormap: str = 'viridis', edges: bool = False, show_sites: bool = False,
+def render(points: Any, weights: Any = None, domain: Any = None, size: Size = None, color: Any = 'site',
+           colormap: Union[None, str, Sequence[str]] = None, edges: bool = False, show_sites: bool = False,
            periodic: Union[None, bool, str] = None, backend: str = 'auto', device: Device = None,
            threads: Optional[int] = None, check: bool = False, search: str = 'grid',
            progress: Optional[Progress] = None, color_scale: Optional[str] = None,
-           color_range: Optional[Sequence[float]] = None, legend: bool = False, edge_width: float = 1,
+           color_range: Optional[Sequence[float]] = None, legend: Union[bool, str] = False, edge_width: float = 1,
            dot_size: Optional[float] = None, fit: Optional[str] = None, project: Project = None, margin: Margin = None,
            domain_layer: Optional[str] = None, repair: bool = False, crs: Any = None, antialias: int = 1,
-           dual: bool = False, labels: bool = False, label_size: float = 10, fill: bool = True,
+           dual: bool = False, labels: Any = False, label_size: float = 10, fill: bool = True,
            edge_color: Optional[str] = None, background: Optional[str] = None,
-           view: Optional[Sequence[float]] = None, surface: Optional[str] = None) -> Picture:
+           view: Optional[Sequence[float]] = None, surface: Optional[str] = None, title: Optional[str] = None,
+           legend_title: Optional[str] = None) -> Picture:
     """A picture of the cells, and whose cell each pixel is in.
 
     Args:
         size: (width, height) in pixels, up to 32768 each, or the longer side, in the shape of the domain or the view;
             None for 1000.
-        color: by "site", "area", "neighbors" or "weight"; or the path of a photograph, .png or .jpg, over the domain or
-            where a world file beside it says: cells have the mean color of its pixels.
-        colormap: one of `colormaps()`, where colors are not a photograph's.
+        color: by "site", "area", "neighbors", "weight" or "distinct", so that cells with a common edge differ; by
+            "@name", an attribute of the points; by a number or a text for each point, None for what is missing; or the
+            path of a photograph, .png or .jpg, over the domain or where a world file beside it says: cells have the
+            mean color of its pixels.
+        colormap: one of `colormaps()`, or a list of colors, as ["#003366", "white"]; None for "viridis", for texts
+            and distinct cells for colors that color-blind people tell apart.
         edges: darkens pixels beside which another cell begins.
         show_sites: a dot at each site.
         color_scale: how values become colors: "linear", "log" or "quantile", by rank; None for quantile by area and
             weight, linear by neighbors.
         color_range: (low, high), the values of the first and the last color; else those of all cells.
-        legend: draws what the colors stand for into the lower left corner; `Picture.key` says it.
+        legend: draws what the colors stand for: "inside" or True, in the lower left corner, or "beside" the picture
+            where it is saved; `Picture.key` says it.
         edge_width: of `edges` and `dual`, 1 to 100 pixels; without `antialias` edges have a whole number of them.
         dot_size: of `show_sites`, 1 to 100 pixels across; None for one by the spacing of the points that show.
         fit: what a domain does in a picture of another aspect: "stretch" fills it, "letterbox" keeps the domain's
@@ -118,12 +123,15 @@ def render(points: Any, weights: Any = None, domain: Any = None, size: Size = No
             pixels' centers.
         dual: lines between points whose cells have a common edge in the domain: of the Delaunay triangulation, what
             does not meet beyond; a larger `margin` has more of it, `Diagram.triangles` all.
-        labels: the index of each point, in its cell where it has room.
-        label_size: how high the digits are, 5 to 200 pixels.
+        labels: the index of each point, "@name", an attribute of it, or a text for each, in its cell where it has
+            room.
+        label_size: how high digits and capital letters are, 5 to 200 pixels.
         fill: cells have colors; else they are white, or show the background.
         edge_color: of `edges`: "#rgb", "#rrggbb" or a name of CSS, as "white"; None for "#181818".
         background: the color of what is no cell, as "#rrggbbaa" with an opacity; None for transparent.
         view: (xmin, ymin, xmax, ymax), what the picture shows; None for the domain. It changes no color.
+        title: above the picture where it is saved, which is higher then.
+        legend_title: above the legend, as "rain, mm"; None for what `color` shows.
 
     With `project`, the picture is of the plane. All others are as in `cells`; "auto" takes "cpu" for up to 100,000
     points and 4 million pixels.
@@ -136,20 +144,23 @@ def render(points: Any, weights: Any = None, domain: Any = None, size: Size = No
                           color_scale=color_scale, color_range=color_range, legend=legend, edge_width=edge_width,
                           dot_size=dot_size, fit=fit, project=project, margin=margin, domain_layer=domain_layer,
                           repair=repair, crs=crs, antialias=antialias, dual=dual, labels=labels, label_size=label_size,
-                          fill=fill, edge_color=edge_color, background=background, view=view, surface=surface)
+                          fill=fill, edge_color=edge_color, background=background, view=view, surface=surface,
+                          title=title, legend_title=legend_title)
 
 
 @renamed(outline='domain')
-def draw(points: Any, path: PathLike, weights: Any = None, domain: Any = None, size: Size = None, color: str = 'site',
-         colormap: str = 'viridis', edges: bool = False, show_sites: bool = False,
+def draw(points: Any, path: PathLike, weights: Any = None, domain: Any = None, size: Size = None, color: Any = 'site',
+         colormap: Union[None, str, Sequence[str]] = None, edges: bool = False, show_sites: bool = False,
          periodic: Union[None, bool, str] = None, backend: str = 'auto', device: Device = None,
          threads: Optional[int] = None, check: bool = False, search: str = 'grid', progress: Optional[Progress] = None,
-         color_scale: Optional[str] = None, color_range: Optional[Sequence[float]] = None, legend: bool = False,
+         color_scale: Optional[str] = None, color_range: Optional[Sequence[float]] = None,
+         legend: Union[bool, str] = False,
          edge_width: float = 1, dot_size: Optional[float] = None, fit: Optional[str] = None, project: Project = None,
          margin: Margin = None, domain_layer: Optional[str] = None, repair: bool = False, crs: Any = None,
-         antialias: int = 1, dual: bool = False, labels: bool = False, label_size: float = 10, fill: bool = True,
+         antialias: int = 1, dual: bool = False, labels: Any = False, label_size: float = 10, fill: bool = True,
          edge_color: Optional[str] = None, background: Optional[str] = None,
-         view: Optional[Sequence[float]] = None, surface: Optional[str] = None) -> Diagram:
+         view: Optional[Sequence[float]] = None, surface: Optional[str] = None, title: Optional[str] = None,
+         legend_title: Optional[str] = None) -> Diagram:
     """Draws the cells as shapes, into a file: .svg or .pdf. Returns the cells, with detail="polygons".
 
     All arguments are as in `render`; the picture looks the same.
@@ -161,7 +172,8 @@ def draw(points: Any, path: PathLike, weights: Any = None, domain: Any = None, s
                         color_scale=color_scale, color_range=color_range, legend=legend, edge_width=edge_width,
                         dot_size=dot_size, fit=fit, project=project, margin=margin, domain_layer=domain_layer,
                         repair=repair, crs=crs, antialias=antialias, dual=dual, labels=labels, label_size=label_size,
-                        fill=fill, edge_color=edge_color, background=background, view=view, surface=surface)
+                        fill=fill, edge_color=edge_color, background=background, view=view, surface=surface,
+                        title=title, legend_title=legend_title)
 
 
 @renamed(outline='domain')
@@ -344,7 +356,7 @@ def forecast(points: Any, weights: Any = None, domain: Any = None, periodic: Uni
                      None if picture else density)
     count, flag = _arguments.threads_of(threads), _scalars.flag_of('check', check)
     if picture:
-        look = _arguments.look_of(size, color, edges=edges, antialias=antialias, dual=dual, labels=labels,
+        look = _look.look_of(len(taken), size, color, edges=edges, antialias=antialias, dual=dual, labels=labels,
                                   label_size=label_size)
         return Forecast(*_vorpipe.forecast_picture(session._session, taken, look, flag, count))
     return Forecast(*_vorpipe.forecast_cells(session._session, taken, _arguments.detail_of(detail), flag, count))

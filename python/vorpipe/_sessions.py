@@ -3,7 +3,7 @@ from __future__ import annotations
 
 from typing import Any, Callable, Mapping, NoReturn, Optional, Sequence, Union
 
-from . import _arguments, _attributes, _crs, _scalars, _shared, _vorpipe
+from . import _arguments, _attributes, _crs, _look, _scalars, _shared, _vorpipe
 from ._arguments import PathLike, Size
 from ._diagram import Diagram
 from ._errors import CheckError
@@ -103,25 +103,27 @@ class Session:
         return diagram
 
     @renamed(outline='domain')
-    def render(self, points: Any, weights: Any = None, domain: Any = None, *, size: Size = None, color: str = 'site',
-               colormap: str = 'viridis', edges: bool = False, show_sites: bool = False,
+    def render(self, points: Any, weights: Any = None, domain: Any = None, *, size: Size = None, color: Any = 'site',
+               colormap: Union[None, str, Sequence[str]] = None, edges: bool = False, show_sites: bool = False,
                periodic: Union[None, bool, str] = None, check: bool = False, search: str = 'grid',
                progress: Optional[Progress] = None, color_scale: Optional[str] = None,
-               color_range: Optional[Sequence[float]] = None, legend: bool = False, edge_width: float = 1,
+               color_range: Optional[Sequence[float]] = None, legend: Union[bool, str] = False, edge_width: float = 1,
                dot_size: Optional[float] = None, fit: Optional[str] = None, project: Project = None,
                margin: Margin = None, domain_layer: Optional[str] = None, repair: bool = False, crs: Any = None,
-               antialias: int = 1, dual: bool = False, labels: bool = False, label_size: float = 10, fill: bool = True,
+               antialias: int = 1, dual: bool = False, labels: Any = False, label_size: float = 10, fill: bool = True,
                edge_color: Optional[str] = None, background: Optional[str] = None,
-               view: Optional[Sequence[float]] = None, surface: Optional[str] = None) -> Picture:
+               view: Optional[Sequence[float]] = None, surface: Optional[str] = None, title: Optional[str] = None,
+               legend_title: Optional[str] = None) -> Picture:
         """As `vorpipe.render`."""
-        look = _arguments.look_of(size, color, colormap=colormap, color_scale=color_scale, color_range=color_range,
-                                  legend=legend, fit=fit, search=search, fill=fill, edge_color=edge_color,
-                                  background=background, view=view, edges=edges,
-                                  show_sites=show_sites, dual=dual, labels=labels, edge_width=edge_width,
-                                  dot_size=dot_size, label_size=label_size, antialias=antialias)
         found = given(points)
         wanted = _arguments.domain_of(domain, margin, repair, project, domain_layer)
         taken = input_of(found, weights, wanted, periodic, crs=crs, surface=surface)
+        look = _look.look_of(len(taken), size, color, colormap=colormap, color_scale=color_scale,
+                             color_range=color_range, legend=legend, fit=fit, search=search, fill=fill,
+                             edge_color=edge_color, background=background, view=view, edges=edges,
+                             show_sites=show_sites, dual=dual, labels=labels, edge_width=edge_width,
+                             dot_size=dot_size, label_size=label_size, antialias=antialias, title=title,
+                             legend_title=legend_title)
         picture = Picture(self._session.render(taken, look, _scalars.call_of('progress', progress)))
         if check:
             raise_broken(picture.check(self._threads or None))
@@ -129,24 +131,27 @@ class Session:
 
     @renamed(outline='domain')
     def draw(self, points: Any, path: PathLike, weights: Any = None, domain: Any = None, *, size: Size = None,
-             color: str = 'site', colormap: str = 'viridis', edges: bool = False, show_sites: bool = False,
+             color: Any = 'site', colormap: Union[None, str, Sequence[str]] = None,
+             edges: bool = False, show_sites: bool = False,
              periodic: Union[None, bool, str] = None, check: bool = False, search: str = 'grid',
              progress: Optional[Progress] = None, color_scale: Optional[str] = None,
-             color_range: Optional[Sequence[float]] = None, legend: bool = False, edge_width: float = 1,
+             color_range: Optional[Sequence[float]] = None, legend: Union[bool, str] = False, edge_width: float = 1,
              dot_size: Optional[float] = None, fit: Optional[str] = None, project: Project = None,
              margin: Margin = None, domain_layer: Optional[str] = None, repair: bool = False, crs: Any = None,
-             antialias: int = 1, dual: bool = False, labels: bool = False, label_size: float = 10, fill: bool = True,
+             antialias: int = 1, dual: bool = False, labels: Any = False, label_size: float = 10, fill: bool = True,
              edge_color: Optional[str] = None, background: Optional[str] = None,
-             view: Optional[Sequence[float]] = None, surface: Optional[str] = None) -> Diagram:
+             view: Optional[Sequence[float]] = None, surface: Optional[str] = None, title: Optional[str] = None,
+             legend_title: Optional[str] = None) -> Diagram:
         """As `vorpipe.draw`."""
-        look = _arguments.look_of(size, color, colormap=colormap, color_scale=color_scale, color_range=color_range,
-                                  legend=legend, fit=fit, search=search, fill=fill, edge_color=edge_color,
-                                  background=background, view=view, edges=edges,
-                                  show_sites=show_sites, dual=dual, labels=labels, edge_width=edge_width,
-                                  dot_size=dot_size, label_size=label_size, antialias=antialias)
         found = given(points)
         wanted = _arguments.domain_of(domain, margin, repair, project, domain_layer)
         taken = input_of(found, weights, wanted, periodic, crs=crs, surface=surface)
+        look = _look.look_of(len(taken), size, color, colormap=colormap, color_scale=color_scale,
+                             color_range=color_range, legend=legend, fit=fit, search=search, fill=fill,
+                             edge_color=edge_color, background=background, view=view, edges=edges,
+                             show_sites=show_sites, dual=dual, labels=labels, edge_width=edge_width,
+                             dot_size=dot_size, label_size=label_size, antialias=antialias, title=title,
+                             legend_title=legend_title)
         to = _scalars.path_of(path)
         cells = self._session.shapes(taken, look, to, _scalars.call_of('progress', progress))
         diagram = Diagram(cells, found.index)

@@ -211,11 +211,15 @@ def border_of_cell(cells: Cells, site: int) -> List[Tuple[Tuple[float, float], T
 def bytes_of(cells: Cells, extension: str, only_cells: bool) -> bytes: ...
 
 class Colors:
-    def __init__(self, by: str, map: str, scale: Optional[str], range: Optional[Tuple[float, float]],
-                 legend: bool, fill: bool) -> None: ...
+    def __init__(self, by: str, map: Optional[str], own: List[str], scale: Optional[str],
+                 range: Optional[Tuple[float, float]], legend: bool, fill: bool) -> None: ...
+
+class Words:
+    def __init__(self, title: str, legend_title: str, color: str, labels: str, legend_beside: bool,
+                 own: Optional[Attributes]) -> None: ...
 
 class Look:
-    def __init__(self, size: Optional[Tuple[int, Optional[int]]], fit: Optional[str], colors: Colors,
+    def __init__(self, size: Optional[Tuple[int, Optional[int]]], fit: Optional[str], colors: Colors, words: Words,
                  marks: Dict[str, Union[None, bool, float, str]], search: str, neighbors: int,
                  view: Optional[Tuple[float, float, float, float]]) -> None: ...
 
@@ -224,7 +228,7 @@ class ColorKey:
 
     @property
     def color(self) -> str:
-        """ "area", "neighbors" or "weight"."""
+        """ "area", "neighbors", "weight", or "values" of an attribute or an array."""
     @property
     def scale(self) -> str:
         """ "linear", "log" or "quantile"."""
@@ -234,6 +238,12 @@ class ColorKey:
     @property
     def ticks(self) -> List[Tuple[float, float]]:
         """Places along the colors, from 0 to 1, with their values."""
+    @property
+    def title(self) -> str:
+        """The attribute's name; "" of others."""
+    @property
+    def names(self) -> List[str]:
+        """By color, where texts have colors; else empty."""
 
 class Picture:
     @property

@@ -30,7 +30,8 @@ inline constexpr std::array<std::string_view, 3> names_of<Detail>{"measures", "p
 template <>
 inline constexpr std::array<std::string_view, 2> names_of<Search>{"grid", "flann"};
 template <>
-inline constexpr std::array<std::string_view, 4> names_of<ColorBy>{"site", "area", "neighbors", "weight"};
+inline constexpr std::array<std::string_view, 5> names_of<ColorBy>{
+    "site", "area", "neighbors", "weight", "distinct"};  // ColorBy::value has the name of its values
 template <>
 inline constexpr std::array<std::string_view, 4> names_of<ColorScale>{"automatic", "linear", "log",
                                                                       "quantile"};

@@ -70,8 +70,10 @@ inline constexpr FlagRow<RenderOptions> edges_row{"edges", &RenderOptions::edges
              "draws lines between sites whose cells have a common edge in the domain: of the Delaunay "
              "triangulation, what does not meet beyond; a larger --margin has more of it"},
     show_sites_row{"show_sites", &RenderOptions::show_sites, "draws a dot at each site"},
-    labels_row{"labels", &RenderOptions::labels,
-               "writes the index of each site, counted from 0 as in --ids, into its cell where it has room"};
+    labels_row{
+        "labels", &RenderOptions::labels,
+        "writes the index of each site, counted from 0 as in --ids, or @NAME, an attribute of it, into its "
+        "cell where it has room"};
 
 inline constexpr NumberRow<RenderOptions, double> edge_width_row{
     "edge_width",
@@ -101,7 +103,7 @@ inline constexpr NumberRow<RenderOptions, double> edge_width_row{
                    {&labels_row, nullptr},
                    " pixels",
                    "PX",
-                   "how high the digits are, {0} to {1} pixels [{2}]"};
+                   "how high digits and capital letters are, {0} to {1} pixels [{2}]"};
 
 inline constexpr ColorRow<RenderOptions> edge_color_row{
     "edge_color",

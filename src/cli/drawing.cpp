@@ -10,6 +10,8 @@
 #include "base/try.h"
 #include "io/base/error.h"
 #include "io/cells/forecast_files.h"
+#include "io/pictures/colors_file.h"
+#include "io/sites/attribute_values.h"
 #include "vorpipe/free_surface.h"
 #include "vorpipe/shapes.h"
 
@@ -33,16 +35,17 @@ Result<void> checkPicture(const RenderOptions& picture, const InputOptions& site
   if (picture.legend && !picture.fill) {
     return inputError("--legend: cells have no colors with --no-fill");
   }
-  if (picture.color == ColorBy::site && !scaled.empty()) {
-    return inputError(fmt::format(
-        "{}: colors by site stand for no values; name --color area, neighbors or weight", scaled));
+  if (!colorsHaveKey(picture.color) && !scaled.empty()) {
+    return inputError(fmt::format("{}: {} stand for no values; name --color area, neighbors or weight",
+                                  scaled,
+                                  picture.color == ColorBy::site ? "colors by site" : "distinct colors"));
   }
   if (picture.color_scale == ColorScale::log && picture.color_range && picture.color_range->low <= 0) {
     return inputError(fmt::format("--color-range: LO {} is not above 0, as --color-scale log needs it",
                                   picture.color_range->low));
   }
   const auto [width, height] = least_with_legend;
-  if (picture.legend && (picture.width < width || picture.height < height)) {
+  if (picture.legend && !picture.legend_beside && (picture.width < width || picture.height < height)) {
     return inputError(fmt::format("--legend: has no room in {}x{} pixels, it takes {}x{}", picture.width,
                                   picture.height, width, height));
   }
@@ -119,6 +122,42 @@ Result<void> takeColors(const PhotographFile& photograph, const Sites& sites, in
   return {};
 }
 
+namespace {
+
+/// Finds what the colors and the labels show of the sites.
+Result<void> takeAttributes(const PictureOptions& picture, const Input& input, RenderOptions& options) {
+  if (!picture.color_attribute.empty()) {
+    const auto values =
+        attributeNamed(input.attributes, picture.color_attribute).and_then([](const Attribute* attribute) {
+          return valuesOf(*attribute);
+        });
+    if (!values) return named("--color", values.error());
+    options.values = *values;
+    if (!values->names.empty() && !scaleOption(options).empty() && scaleOption(options) != "--legend") {
+      return inputError(
+          fmt::format("{}: the values of @{} are no numbers", scaleOption(options), picture.color_attribute));
+    }
+  }
+  if (!picture.label_attribute.empty()) {
+    const auto attribute = attributeNamed(input.attributes, picture.label_attribute);
+    if (!attribute) return named("--labels", attribute.error());
+    options.texts = textsOf(**attribute);
+  }
+  if (!picture.colors_file.empty()) {
+    auto colors = readColors(picture.colors_file);
+    if (!colors) return named("--colormap", std::move(colors.error()));
+    options.colors = std::move(*colors);
+  }
+  // The plane of --project has kilometers.
+  const bool of_plane = input.system.equal_area_center.has_value();
+  if (options.legend_beside && options.legend_title.empty() && options.color == ColorBy::area && of_plane) {
+    options.legend_title = "area, km\u00B2";
+  }
+  return {};
+}
+
+}  // namespace
+
 Result<RenderOptions> pictureOf(const PictureOptions& picture, const InputOptions& sites,
                                 const Input& input) {
   RenderOptions options = picture.render;
@@ -130,6 +169,7 @@ Result<RenderOptions> pictureOf(const PictureOptions& picture, const InputOption
   options.fill = !picture.no_fill;
   VORPIPE_TRY(checkMarks(picture));
   VORPIPE_TRY(checkPhotograph(picture));
+  VORPIPE_TRY(takeAttributes(picture, input, options));
   if (auto checked = checkView(options); !checked) return inputError("--view: " + checked.error().message);
   VORPIPE_TRY(checkPicture(options, sites, input));
   return options;

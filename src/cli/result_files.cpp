@@ -134,8 +134,9 @@ std::vector<Writer> writersOf(const SitesRun& run, const ResultParts& parts) {
   for (const PictureFile& file : targets.pictures) {
     writers.emplace_back([&, threads, format = file.format](ByteSink& to) {
       const Drawing& drawing = *parts.drawing;
-      return format->write(to, {parts.plane, parts.render, drawing.pixels ? &drawing.pixels->image : nullptr,
-                                drawing.cells ? &*drawing.cells : nullptr, run.input->system, threads});
+      return format->write(
+          to, {parts.plane, parts.render, drawing.pixels ? &drawing.pixels->image : nullptr,
+               drawing.cells ? &*drawing.cells : nullptr, run.input->system, threads, drawing.key});
     });
   }
   return writers;

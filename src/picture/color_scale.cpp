@@ -37,7 +37,8 @@ tl::unexpected<Error> refuseColors(std::string message) {
 
 ColorScale scaleOf(const Coloring& coloring) {
   if (coloring.scale != ColorScale::automatic) return coloring.scale;
-  return coloring.color == ColorBy::neighbors ? ColorScale::linear : ColorScale::quantile;
+  const bool linear = coloring.color == ColorBy::neighbors || coloring.color == ColorBy::value;
+  return linear ? ColorScale::linear : ColorScale::quantile;
 }
 
 Result<void> checkRange(const ColorRange& range, ColorScale scale) {

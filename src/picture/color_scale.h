@@ -11,7 +11,7 @@ namespace vorpipe::core {
 
 /// The meaning of colors, as in RenderOptions.
 struct Coloring {
-  ColorBy color;  ///< not by site
+  ColorBy color;  ///< by values in a range
   ColorScale scale;
   std::optional<ColorRange> range;
 };

@@ -10,8 +10,8 @@ namespace vorpipe::core {
 /// Height of a capital letter and of a digit in units; the pen is one unit wide.
 inline constexpr int letter_units = 7;
 
-/// Returns the width of a text in units. It supports ASCII characters that legends need, among them digits,
-/// letters and .,:-+=/_%(); others are as wide as a space.
+/// Returns the width of a text in units. It supports ASCII and the letters of languages of Latin script up to
+/// U+017F, with what pixelsHaveLetters() says; others are as wide as a space.
 int unitsOf(std::string_view text);
 
 /// Draws a text of any height, smoothed. `at` is the start of its baseline.

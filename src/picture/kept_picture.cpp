@@ -72,13 +72,14 @@ bool areSame(const KeptPicture::Colors& colors, const RenderOptions& options) {
                           (!colors.range || (colors.range->low == options.color_range->low &&
                                              colors.range->high == options.color_range->high));
   return colors.by == options.color && colors.scale == options.color_scale && same_range &&
-         colors.legend == options.legend;
+         colors.legend == options.legend && colors.values == options.values &&
+         colors.own_colors == options.colors.size();
 }
 
 }  // namespace
 
 Result<bool> needsCells(const Sites& sites, const RenderOptions& options, int threads) {
-  if (options.color == ColorBy::area || options.color == ColorBy::neighbors || hasWeights(sites)) return true;
+  if (colorsNeedCells(options.color) || hasWeights(sites)) return true;
   if (options.outline.empty()) return false;
   const int exponent = scaleExponent(options.domain);
   VORPIPE_LET(rings, ringsOf(options.outline, exponent));
@@ -113,8 +114,9 @@ Result<void> colorPicture(const Sites& sites, const RenderOptions& options, int 
                          [&](std::uint32_t id) { return found.index[kept.found.scene.siteOf(id)]; });
   const bool same = kept.colors && kept.colors->index == indices;
   if (!same) kept.before.held.after.reset();
-  kept.colors = KeptPicture::Colors{options.color,  options.color_scale, options.color_range,
-                                    options.legend, std::move(indices),  std::move(found.key)};
+  kept.colors =
+      KeptPicture::Colors{options.color,  options.color_scale,   options.color_range, options.legend,
+                          options.values, options.colors.size(), std::move(indices),  std::move(found.key)};
   return {};
 }
 

@@ -21,6 +21,8 @@ struct KeptPicture {
     ColorScale scale;
     std::optional<ColorRange> range;
     bool legend;
+    SiteValues values;
+    std::size_t own_colors;           ///< how many names have a color depends on it
     std::vector<std::uint8_t> index;  ///< by index in the set
     std::optional<ColorKey> key;
   };

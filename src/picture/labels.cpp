@@ -1,7 +1,12 @@
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
+#include <numbers>
 #include <optional>
+#include <queue>
 #include <span>
 #include <string>
 #include <utility>
@@ -149,13 +154,71 @@ bool fits(const Room& room, const TextBox& box, const Box& area, Point middle) {
   return inside;
 }
 
-/// Tries the place itself, then others in rows and columns over the room.
+/// Whether a point lies in the room, and its distance to the nearest ring.
+struct Depth {
+  bool inside;
+  double distance;
+};
+
+Depth depthOf(const Room& room, Point p, double down) {
+  Depth depth{false, std::numeric_limits<double>::infinity()};
+  for (std::size_t r = 0; r + 1 < room.offsets.size(); ++r) {
+    const std::size_t begin = room.offsets[r], end = room.offsets[r + 1];
+    for (std::size_t k = begin; k < end; ++k) {
+      const Point a = room.points[k], b = room.points[k + 1 < end ? k + 1 : begin];
+      const Point near = nearestOnLine({a.x, a.y * down}, {b.x, b.y * down}, {p.x, p.y * down});
+      depth.distance = std::min(depth.distance, std::hypot(near.x - p.x, near.y - p.y * down));
+      if ((a.y > p.y) == (b.y > p.y)) continue;
+      if (p.x < a.x + (p.y - a.y) / (b.y - a.y) * (b.x - a.x)) depth.inside = !depth.inside;
+    }
+  }
+  return depth;
+}
+
+/// Returns the place that is farthest from the rings, to a pixel: its pole of inaccessibility. Distances
+/// downward count more, as a text is wider than high. Searches squares that may hold a deeper place, the most
+/// promising first, and quarters them (as Agafonkin's polylabel does).
+Point poleOf(const Room& room, const TextBox& box, const Box& in) {
+  const double down = box.width / box.height;
+  struct Square {
+    Point middle;
+    double half, depth, most;
+    bool operator<(const Square& other) const { return most < other.most; }
+  };
+  const auto square = [&](Point middle, double half) {
+    const Depth at = depthOf(room, middle, down);
+    const double depth = at.inside ? at.distance : -at.distance;
+    return Square{middle, half, depth, depth + half * std::numbers::sqrt2};
+  };
+  const double half = std::max(in.xmax - in.xmin, (in.ymax - in.ymin) * down) / 2;
+  const Point middle{(in.xmin + in.xmax) / 2, (in.ymin + in.ymax) / 2};
+  Square best = square(middle, half);
+  std::priority_queue<Square> squares;
+  squares.push(best);
+  constexpr double precision = 1;
+  while (!squares.empty() && squares.top().most > best.depth + precision) {
+    const Square at = squares.top();
+    squares.pop();
+    const double part = at.half / 2;
+    for (const auto& [x, y] :
+         {Point{-part, -part}, Point{part, -part}, Point{-part, part}, Point{part, part}}) {
+      const Square quarter = square({at.middle.x + x, at.middle.y + y / down}, part);
+      if (quarter.depth > best.depth) best = quarter;
+      if (quarter.most > best.depth + precision) squares.push(quarter);
+    }
+  }
+  return best.middle;
+}
+
+/// Tries the place itself, then the deepest one, then others in rows and columns over the room.
 std::optional<Point> tryPlaces(const Room& room, const TextBox& box, const Box& area, Point near) {
   if (fits(room, box, area, near)) return near;
   constexpr int steps = 24;
   const Box all = boxOf(room.points);
   const Box in{std::max(all.xmin, area.xmin), std::max(all.ymin, area.ymin), std::min(all.xmax, area.xmax),
                std::min(all.ymax, area.ymax)};
+  if (!(in.xmin < in.xmax && in.ymin < in.ymax)) return std::nullopt;
+  if (const Point pole = poleOf(room, box, in); fits(room, box, area, pole)) return pole;
   std::optional<Point> best;
   for (int row = 0; row < steps; ++row) {
     for (int column = 0; column < steps; ++column) {
@@ -246,6 +309,10 @@ std::uint32_t inkOn(std::uint32_t rgba) {
 
 Result<std::vector<SiteLabel>> siteLabels(const Sites& sites, const Diagram& cells,
                                           const RenderOptions& options, int threads) {
+  if (!options.texts.empty() && options.texts.size() != sites.size()) {
+    return tl::unexpected(Error{ErrorCode::input, fmt::format("labels: {} texts, where there are {} sites",
+                                                              options.texts.size(), sites.size())});
+  }
   const bool periodic = options.periodic != Periodic::none;
   VORPIPE_LET(placed, periodic ? wrapped(sites, options.domain, options.periodic, threads) : Sites{});
   const Sites& at = periodic ? placed : sites;
@@ -255,7 +322,8 @@ Result<std::vector<SiteLabel>> siteLabels(const Sites& sites, const Diagram& cel
   std::vector<SiteLabel> labels;
   for (const Cell cell : cells) {
     const auto site = static_cast<std::uint32_t>(cell.index());
-    std::string text = std::to_string(site);
+    const std::string text = options.texts.empty() ? std::to_string(site) : options.texts[site];
+    if (text.empty()) continue;
     const double width = unitsOf(text) * options.label_size / letter_units;
     const TextBox box{width + 2 * margin, options.label_size + 2 * margin, edge};
     // Most cells of a large diagram are too small for a text.
@@ -264,7 +332,8 @@ Result<std::vector<SiteLabel>> siteLabels(const Sites& sites, const Diagram& cel
       const Point center = places.pixelOf({cell.centroid().x + by.x, cell.centroid().y + by.y});
       const Point own = places.pixelOf({at.x[site] + by.x, at.y[site] + by.y});
       const Room room = roomOf(cell, by, places);
-      const auto middle = dot > 0 ? placeBeside(room, box, own, dot) : placeNear(room, box, center);
+      const bool beside = dot > 0 && depthOf(room, own, 1).inside;
+      const auto middle = beside ? placeBeside(room, box, own, dot) : placeNear(room, box, center);
       if (middle) labels.push_back({site, *middle, width, text});
     }
   }

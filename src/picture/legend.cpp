@@ -6,6 +6,9 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
+#include <iterator>
+#include <optional>
+#include <utility>
 
 #include "base/option_names.h"
 #include "picture/font.h"
@@ -72,6 +75,7 @@ constexpr std::uint32_t panel_color = 0xE0FFFFFFu, line_color = 0xFF303030u;
 constexpr int line_height = 11;
 constexpr int margin = 3, padding = 5, title_gap = 9, bottom_gap = 3;
 constexpr int bar_width = 10, bar_height = 84, tick_length = 2, label_gap = 5;
+constexpr int row_height = 12, swatch_height = 9, rows_gap = 8;
 constexpr int label_distance = 11;         ///< of two baselines
 constexpr std::size_t longest_label = 10;  ///< fits into every picture
 
@@ -80,27 +84,42 @@ struct Label {
   std::string text;
 };
 
+/// A color that stands for one thing.
+struct Row {
+  std::string text;
+  std::optional<std::uint32_t> rgba{};  ///< none: a text alone
+};
+
 /// The texts, with sizes in units.
 struct Contents {
   std::vector<std::string> title;  ///< lines
-  std::vector<Label> labels;       ///< ascending
+  std::vector<Label> labels{};     ///< ascending, of a bar; without them there is none
+  std::vector<Row> rows{};         ///< below it
 
   [[nodiscard]] int width() const {
     int widest = 0;
     for (const std::string& line : title) widest = std::max(widest, unitsOf(line));
     for (const Label& label : labels) widest = std::max(widest, bar_width + label_gap + unitsOf(label.text));
+    for (const Row& row : rows) widest = std::max(widest, bar_width + label_gap + unitsOf(row.text));
     return widest + 2 * padding;
   }
   /// Without the bar.
   [[nodiscard]] int height() const {
     const int lines = static_cast<int>(title.size());
-    return padding + (lines - 1) * line_height + letter_units + title_gap + bottom_gap + padding;
+    const int below =
+        static_cast<int>(rows.size()) * row_height + (rows.empty() || labels.empty() ? 0 : rows_gap);
+    return padding + (lines - 1) * line_height + letter_units + title_gap + bottom_gap + padding + below;
   }
+  [[nodiscard]] int barUnits() const { return labels.empty() ? 0 : bar_height; }
 };
 
-std::vector<std::string> titleOf(const ColorKey& key) {
+std::vector<std::string> titleOf(const ColorKey& key, const RenderOptions& options) {
   std::vector<std::string> title;
-  title.emplace_back(nameOf(key.color));
+  title.push_back(!options.legend_title.empty() ? options.legend_title
+                  : !key.title.empty()          ? key.title
+                  : key.color == ColorBy::value ? "value"
+                                                : std::string(nameOf(key.color)));
+  if (!key.names.empty()) return title;
   if (key.scale == ColorScale::log) title.emplace_back("log");
   if (key.scale == ColorScale::quantile) title.emplace_back("quantiles");
   return title;
@@ -109,6 +128,7 @@ std::vector<std::string> titleOf(const ColorKey& key) {
 /// The labels of the ticks of `key`, with enough digits to distinguish them, if a picture of this width has
 /// room. One of equal labels stays, preferably that of an end.
 std::vector<Label> labelsOf(const ColorKey& key, int width) {
+  if (!key.names.empty()) return {};
   if (!(key.range.low < key.range.high)) return {{0.5, numberText(key.range.low, 6)}};
   std::vector<double> values;
   for (const auto& [place, value] : key.ticks) values.push_back(value);
@@ -157,10 +177,44 @@ Scale scaleFor(const Contents& contents, int width, int height) {
   int unit = std::max(
       1, static_cast<int>(std::lround(std::sqrt(static_cast<double>(width) * height) / pictures_side)));
   const auto fits = [&](int units, int side) { return (units + margin) * unit <= most * side; };
-  while (unit > 1 && !(fits(contents.width(), width) && fits(contents.height() + bar_height, height))) --unit;
-  if (unit > 1) return {unit, bar_height * unit};
+  const int bar = contents.barUnits();
+  while (unit > 1 && !(fits(contents.width(), width) && fits(contents.height() + bar, height))) --unit;
+  if (unit > 1 || bar == 0) return {unit, bar * unit};
   const int highest = std::max(static_cast<int>(most * height), least_with_legend.height) - 2 * margin;
   return {1, std::clamp(std::min(highest, height - 2 * margin) - contents.height(), 1, bar_height)};
+}
+
+/// Cuts a text that is wider than `most` units.
+std::string shortened(std::string text, int most) {
+  constexpr std::string_view dots = "\u2026";
+  if (unitsOf(text) <= most) return text;
+  const auto isInside = [](char byte) { return (static_cast<unsigned char>(byte) & 0xC0) == 0x80; };
+  while (!text.empty() && unitsOf(text + std::string(dots)) > most) {
+    while (text.size() > 1 && isInside(text.back())) text.pop_back();
+    text.pop_back();
+  }
+  return text + std::string(dots);
+}
+
+/// Returns the rows of names and of missing values, at most `most`, whose texts have `room`.
+std::vector<Row> rowsOf(const ColorKey& key, const Palette& palette, std::size_t most, int room) {
+  std::size_t names = key.names.size();
+  bool others = key.other_names > 0, missing = key.has_missing;
+  const std::size_t after = (missing ? 1u : 0u) + (others ? 1u : 0u);
+  std::uint64_t left_out = 0;
+  if (names + after > most) {
+    // A row says how many are left out.
+    others = others && most > after;
+    missing = missing && most > 1;
+    names = most > after ? most - after - 1 : 0;
+    left_out = key.names.size() - names + (others ? 0 : key.other_names);
+  }
+  std::vector<Row> rows;
+  for (std::size_t k = 0; k < names; ++k) rows.push_back({shortened(key.names[k], room), palette[k]});
+  if (left_out > 0 && most > 0) rows.push_back({fmt::format("and {} more", left_out)});
+  if (others) rows.push_back({fmt::format("and {} others", key.other_names), palette[other_names_color]});
+  if (missing) rows.push_back({"no value", palette[missing_color]});
+  return rows;
 }
 
 /// Draws the colors from `bottom` upward. Each box overlaps the next, which is drawn over it, so that
@@ -178,6 +232,67 @@ void addBar(Legend& legend, const LegendBox& bar, const Palette& palette, bool e
   }
 }
 
+/// Where a legend begins, its pixels per unit, and the color of what has none of its own.
+struct Spot {
+  double left, top;
+  Scale scale;
+  std::uint32_t ink;
+};
+
+/// Adds the title, the bar with its labels, and the rows.
+void addContents(Legend& legend, const Contents& contents, const Spot& spot, const Palette& palette,
+                 bool equal) {
+  const int unit = spot.scale.unit;
+  const double text_height = letter_units * unit, line = std::max(1, unit / 2);
+  const double inside = spot.left + padding * unit;
+  double baseline = spot.top + padding * unit + text_height;
+  for (std::size_t i = 0; i < contents.title.size(); ++i) {
+    legend.texts.push_back({inside, baseline, text_height, Anchor::start, contents.title[i], spot.ink});
+    if (i + 1 < contents.title.size()) baseline += line_height * unit;
+  }
+  const LegendBox bar{inside, baseline + title_gap * unit, static_cast<double>(bar_width) * unit,
+                      static_cast<double>(spot.scale.bar), 0};
+  const double right = bar.left + bar.width;
+  double next = bar.top;
+  if (!contents.labels.empty()) {
+    legend.boxes.push_back(
+        {bar.left - line, bar.top - line, bar.width + 2 * line, bar.height + 2 * line, line_color});
+    addBar(legend, bar, palette, equal);
+    for (const Label& label : contents.labels) {
+      const double y = bar.top + std::round((1 - label.place) * bar.height);
+      legend.boxes.push_back({right, y - std::ceil(line / 2), tick_length * unit + line, line, line_color});
+      legend.texts.push_back({right + label_gap * unit, y + std::floor(text_height / 2), text_height,
+                              Anchor::start, label.text, spot.ink});
+    }
+    next += bar.height + rows_gap * unit;
+  }
+  for (const Row& row : contents.rows) {
+    const double height = swatch_height * unit;
+    if (row.rgba) {
+      legend.boxes.push_back(
+          {bar.left - line, next - line, bar.width + 2 * line, height + 2 * line, line_color});
+      legend.boxes.push_back({bar.left, next, bar.width, height, *row.rgba});
+    }
+    legend.texts.push_back({right + label_gap * unit, next + (swatch_height + letter_units) / 2 * unit,
+                            text_height, Anchor::start, row.text, spot.ink});
+    next += row_height * unit;
+  }
+}
+
+/// Entries of the palette that a bar shows: one of values keeps the last for other things.
+Palette barPalette(const ColorKey& key, const Palette& palette) {
+  Palette colors = palette;
+  if (key.color == ColorBy::value)
+    std::ranges::fill(colors.begin() + other_names_color, colors.end(), palette[other_names_color - 1]);
+  return colors;
+}
+
+Palette paletteFor(const RenderOptions& options, const ColorKey& key) {
+  return paletteOf(options, key).value_or(Palette{});
+}
+
+bool isEqual(const ColorKey& key) { return !(key.range.low < key.range.high); }
+
 }  // namespace
 
 void drawLegend(const Legend& legend, Image& image) {
@@ -192,39 +307,128 @@ namespace vorpipe {
 
 using namespace core;
 
-Legend legendOf(const ColorKey& key, const std::string& colormap, int width, int height) {
-  Contents contents{titleOf(key), labelsOf(key, width)};
+Legend legendOf(const ColorKey& key, const RenderOptions& options) {
+  const int width = options.width, height = options.height;
+  const Palette palette = paletteFor(options, key);
+  Contents contents{titleOf(key, options), labelsOf(key, width)};
+  const int room = width - 2 * margin - 2 * padding;
+  for (std::string& line : contents.title) line = shortened(std::move(line), room);
   Contents in_one_line = contents;
   in_one_line.title = {fmt::format("{}", fmt::join(contents.title, ", "))};
   if (in_one_line.width() + 2 * margin <= width) contents = std::move(in_one_line);
-  const auto [unit, bar_pixels] = scaleFor(contents, width, height);
+  // What is left of the height for rows beside the shortest bar.
+  const int shortest_bar = contents.labels.empty() ? 0 : 2 * label_distance;
+  const int rest = height - 2 * margin - contents.height() - shortest_bar - (shortest_bar > 0 ? rows_gap : 0);
+  contents.rows = rowsOf(key, palette, static_cast<std::size_t>(std::max(0, rest / row_height)),
+                         room - bar_width - label_gap);
+  const Scale scale = scaleFor(contents, width, height);
+  const auto [unit, bar_pixels] = scale;
   dropCrowded(contents.labels, static_cast<double>(bar_pixels) / unit);
 
   Legend legend;
   const double panel_width = contents.width() * unit, panel_height = contents.height() * unit + bar_pixels;
   const double left = margin * unit, top = height - margin * unit - panel_height;
   legend.boxes.push_back({left, top, panel_width, panel_height, panel_color});
-  const double text_height = letter_units * unit, line = std::max(1, unit / 2);
-  const double inside = left + padding * unit;
-  double baseline = top + padding * unit + text_height;
-  for (std::size_t i = 0; i < contents.title.size(); ++i) {
-    legend.texts.push_back({inside, baseline, text_height, Anchor::start, contents.title[i]});
-    if (i + 1 < contents.title.size()) baseline += line_height * unit;
-  }
-  const LegendBox bar{inside, baseline + title_gap * unit, static_cast<double>(bar_width) * unit,
-                      static_cast<double>(bar_pixels), 0};
-  legend.boxes.push_back(
-      {bar.left - line, bar.top - line, bar.width + 2 * line, bar.height + 2 * line, line_color});
-  const auto palette = paletteByName(colormap);
-  if (palette) addBar(legend, bar, *palette, !(key.range.low < key.range.high));
-  for (const Label& label : contents.labels) {
-    const double y = bar.top + std::round((1 - label.place) * bar.height);
-    const double right = bar.left + bar.width;
-    legend.boxes.push_back({right, y - std::ceil(line / 2), tick_length * unit + line, line, line_color});
-    legend.texts.push_back(
-        {right + label_gap * unit, y + std::floor(text_height / 2), text_height, Anchor::start, label.text});
-  }
+  addContents(legend, contents, {left, top, scale, black}, barPalette(key, palette), isEqual(key));
   return legend;
+}
+
+namespace {
+
+/// Breaks a text into lines of at most `most` units, between words where it can.
+std::vector<std::string> linesOf(std::string_view text, int most) {
+  std::vector<std::string> lines;
+  std::string line;
+  while (!text.empty()) {
+    const std::size_t end = std::min(text.find(' '), text.size());
+    const std::string word = shortened(std::string(text.substr(0, end)), most);
+    text.remove_prefix(std::min(end + 1, text.size()));
+    if (!line.empty() && unitsOf(line + ' ' + word) > most) lines.push_back(std::exchange(line, {}));
+    line += line.empty() ? word : ' ' + word;
+  }
+  if (!line.empty()) lines.push_back(std::move(line));
+  return lines;
+}
+
+/// Lays the legend out right of a picture.
+void addBeside(Sheet& sheet, const ColorKey& key, const RenderOptions& options, int unit, std::uint32_t ink) {
+  constexpr int widest = 240, rows_without_end = 1000;
+  const Palette palette = paletteFor(options, key);
+  Contents contents{titleOf(key, options), labelsOf(key, widest)};
+  std::vector<std::string> title;
+  for (const std::string& line : contents.title)
+    std::ranges::move(linesOf(line, widest), std::back_inserter(title));
+  contents.title = std::move(title);
+  contents.rows = rowsOf(key, palette, rows_without_end, widest);
+  const auto heightAt = [&](int size) { return (contents.height() + contents.barUnits()) * size; };
+  while (unit > 1 && heightAt(unit) > options.height) --unit;
+  dropCrowded(contents.labels, contents.barUnits());
+  const double left = options.width + margin * unit;
+  // The text begins at the picture's upper edge.
+  addContents(sheet.legend, contents,
+              {left, static_cast<double>(-padding * unit), {unit, contents.barUnits() * unit}, ink},
+              barPalette(key, palette), isEqual(key));
+  sheet.right += (margin + contents.width()) * unit;
+  sheet.bottom += std::max(0, heightAt(unit) - 2 * padding * unit - options.height);
+}
+
+}  // namespace
+
+Sheet sheetOf(const RenderOptions& options, const std::optional<ColorKey>& key) {
+  const bool beside = options.legend && options.legend_beside && key;
+  if (options.title.empty() && !beside) return {};
+  constexpr double pictures_side = 350;
+  const double side = std::sqrt(static_cast<double>(options.width) * options.height);
+  const int unit = std::max(1, static_cast<int>(std::lround(side / pictures_side)));
+  const std::uint32_t paper = options.background ? options.background->rgba : white, ink = inkOn(paper);
+  const int border = padding * unit;
+  Sheet sheet{border, border, border, border};
+  if (beside) addBeside(sheet, *key, options, unit, ink);
+  if (!options.title.empty()) {
+    // Half as high again as the legend's.
+    const int size = std::max(unit + 1, 3 * unit / 2), pitch = line_height * size;
+    const auto lines = linesOf(options.title, (options.width + sheet.right - border) / size);
+    sheet.top += static_cast<int>(lines.size()) * pitch;
+    for (std::size_t k = 0; k < lines.size(); ++k) {
+      const double baseline = border - sheet.top + static_cast<double>(k) * pitch + letter_units * size;
+      sheet.legend.texts.push_back(
+          {0, baseline, static_cast<double>(letter_units) * size, Anchor::start, lines[k], ink});
+    }
+  }
+  const double width = options.width, height = options.height, all = sheet.left + width + sheet.right;
+  sheet.legend.boxes.insert(
+      sheet.legend.boxes.begin(),
+      {LegendBox{-static_cast<double>(sheet.left), -static_cast<double>(sheet.top), all,
+                 static_cast<double>(sheet.top), paper},
+       LegendBox{-static_cast<double>(sheet.left), 0, static_cast<double>(sheet.left), height, paper},
+       LegendBox{width, 0, static_cast<double>(sheet.right), height, paper},
+       LegendBox{-static_cast<double>(sheet.left), height, all, static_cast<double>(sheet.bottom), paper}});
+  return sheet;
+}
+
+std::optional<PaperSize> paperOf(const RenderOptions& options, const Sheet& sheet) {
+  if (!options.paper || sheet.legend.boxes.empty()) return options.paper;
+  const auto grown = [](double side, int pixels, int more) { return side * (pixels + more) / pixels; };
+  return PaperSize{grown(options.paper->width, options.width, sheet.left + sheet.right),
+                   grown(options.paper->height, options.height, sheet.top + sheet.bottom)};
+}
+
+Image onSheet(const Image& picture, const Sheet& sheet) {
+  Image whole = picture;
+  putIntoFrame({sheet.left, sheet.top, picture.width, picture.height},
+               sheet.left + picture.width + sheet.right, sheet.top + picture.height + sheet.bottom, whole);
+  whole.ids = {};
+  Legend moved = sheet.legend;
+  for (LegendBox& box : moved.boxes) {
+    box.left += sheet.left;
+    box.top += sheet.top;
+  }
+  for (LegendText& text : moved.texts) {
+    text.x += sheet.left;
+    text.baseline += sheet.top;
+  }
+  drawLegend(moved, whole);
+  return whole;
 }
 
 }  // namespace vorpipe

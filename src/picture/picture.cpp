@@ -129,8 +129,8 @@ Result<void> finish(const Sites& sites, const KeptPicture& kept, const RenderOpt
   putIntoFrame(frame, options.width, options.height, image);
   if (options.background) layOver(options.background->rgba, image);
   drawLabels(marks, options, colorsIn(kept, options, marks, palette), image);
-  if (options.legend) {
-    drawLegend(legendOf(*kept.colors->key, options.colormap, options.width, options.height), image);
+  if (options.legend && !options.legend_beside) {
+    drawLegend(legendOf(*kept.colors->key, options), image);
   }
   return {};
 }
@@ -139,14 +139,14 @@ Result<void> finish(const Sites& sites, const KeptPicture& kept, const RenderOpt
 
 Result<Rendering> renderKept(const Machine& machine, const Sites& sites, const RenderOptions& options,
                              const Marks& marks, KeptPicture& kept) {
-  VORPIPE_LET(colormap, paletteByName(options.colormap));
-  const Palette palette = options.fill ? colormap : unfilledPalette(options);
   Rendering rendering;
   Report& report = rendering.report;
   beginReport(kept, report);
   const Stopwatch order_watch;
   VORPIPE_TRY(colorPicture(sites, options, machine.threads, kept));
   rendering.key = kept.colors->key;
+  VORPIPE_LET(colors, paletteOf(options, rendering.key));
+  const Palette palette = options.fill ? colors : unfilledPalette(options);
   auto& cells = kept.found.diagram;
   auto& run = kept.found.run;
   const Scene& scene = kept.found.scene;
@@ -184,7 +184,8 @@ Result<Rendering> renderKept(const Machine& machine, const Sites& sites, const R
 
 Result<void> checkRender(const RenderOptions& options) {
   VORPIPE_TRY(checkPicture(options));
-  VORPIPE_TRY(paletteByName(options.colormap));
+  VORPIPE_TRY(checkLetters(options, "a picture of pixels", pixelsHaveLetters));
+  VORPIPE_TRY(paletteOf(options, std::nullopt));
   return {};
 }
 

@@ -132,7 +132,7 @@ Result<void> checkPicture(const RenderOptions& options) {
     return refusePicture(fmt::format("a picture of {}x{} pixels: each side must be 1 to {}", options.width,
                                      options.height, largest_side));
   }
-  if (options.legend &&
+  if (options.legend && !options.legend_beside &&
       (options.width < least_with_legend.width || options.height < least_with_legend.height)) {
     return refusePicture(fmt::format("legend: a picture of {}x{} pixels has no room for it, {}x{} has",
                                      options.width, options.height, least_with_legend.width,

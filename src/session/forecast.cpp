@@ -151,9 +151,7 @@ Result<Workload> workloadOf(const Sites& sites, const CellsOptions& options, Ima
   return work;
 }
 
-ImagesFor imagesFor(ColorBy color) {
-  return color == ColorBy::area || color == ColorBy::neighbors ? ImagesFor::cells : ImagesFor::pictures;
-}
+ImagesFor imagesFor(ColorBy color) { return colorsNeedCells(color) ? ImagesFor::cells : ImagesFor::pictures; }
 
 ImagesFor imagesFor(const RenderOptions& options) {
   return marksNeedCells(options) ? ImagesFor::cells : imagesFor(options.color);

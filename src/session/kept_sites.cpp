@@ -94,7 +94,7 @@ Result<Marks> KeptSites::State::marks(const RenderOptions& wanted) {
 }
 
 Result<bool> KeptSites::State::needsCells(const RenderOptions& wanted, int threads) {
-  if (wanted.color == ColorBy::area || wanted.color == ColorBy::neighbors) return true;
+  if (colorsNeedCells(wanted.color)) return true;
   if (!by_site_needs_cells) {
     const auto needed = core::needsCells(sites, wanted, threads);
     if (!needed) return needed;

@@ -1,6 +1,7 @@
 #include "view/command.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <utility>
 
@@ -58,7 +59,13 @@ void addSites(Arguments& to, const Document& document, const CommandFiles& files
 void addColors(Arguments& to, const RenderOptions& picture) {
   to.flag(!picture.fill, "--no-fill");
   if (picture.color != ColorBy::site) to.add("--color", nameOf(picture.color));
-  to.option("--colormap", picture.colormap, RenderOptions{}.colormap);
+  if (picture.colors.empty()) {
+    to.option("--colormap", colormapOf(picture), colormapOf({}));
+  } else {
+    std::vector<std::string> colors;
+    for (const Color& color : picture.colors) colors.push_back(textOf(color));
+    to.add("--colormap", fmt::format("{}", fmt::join(colors, ",")));
+  }
   if (picture.color_scale != ColorScale::automatic) {
     to.add("--color-scale", nameOf(picture.color_scale));
   }

@@ -10,7 +10,7 @@ constexpr Modifiers plain{}, control{.control = true}, control_shift{.shift = tr
 
 void nextColormap(Settings& settings) {
   const std::vector<std::string> names = colormaps();
-  const auto now = std::ranges::find(names, settings.picture.colormap);
+  const auto now = std::ranges::find(names, colormapOf(settings.picture));
   settings.picture.colormap = now == names.end() || now + 1 == names.end() ? names.front() : *(now + 1);
 }
 

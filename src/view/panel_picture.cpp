@@ -109,12 +109,12 @@ void drawMaps(Widgets& widgets, RenderOptions& picture) {
   ImDrawList& list = *ImGui::GetWindowDrawList();
   const bool open = widgets.beginList("Colormap", "");
   list.AddText({at.x + bar + 3 * pad, at.y + ImGui::GetStyle().FramePadding.y}, look::text,
-               picture.colormap.c_str());
+               colormapOf(picture).c_str());
   if (open) {
     for (const Swatch& swatch : swatches) {
       const ImVec2 from = ImGui::GetCursorScreenPos();
       const std::string name = fmt::format("Colormap/{}", swatch.name);
-      if (widgets.item(name, "", swatch.name == picture.colormap)) picture.colormap = swatch.name;
+      if (widgets.item(name, "", swatch.name == colormapOf(picture))) picture.colormap = swatch.name;
       const float line = ImGui::GetTextLineHeight();
       drawSwatch(swatch.colors, {from.x, from.y + 1}, {from.x + bar, from.y + line - 1});
       ImGui::GetWindowDrawList()->AddText({from.x + bar + 2 * pad, from.y}, look::text, swatch.name.c_str());
@@ -122,7 +122,7 @@ void drawMaps(Widgets& widgets, RenderOptions& picture) {
     widgets.endList();
   }
   for (const Swatch& swatch : swatches) {
-    if (swatch.name != picture.colormap) continue;
+    if (swatch.name != colormapOf(picture)) continue;
     drawSwatch(swatch.colors, {at.x + pad, at.y + pad}, {at.x + pad + bar, at.y + height - pad});
   }
 }
@@ -183,7 +183,7 @@ void drawShow(PanelFrame& frame) {
   widgets.toggle("Labels", third, picture.labels);
   widgets.tooltip("The number of each site, where there is room for it");
   ImGui::SameLine();
-  const bool by_site = picture.color == ColorBy::site;
+  const bool by_site = !colorsHaveKey(picture.color);
   const bool by_flow = frame.input.fluid && settings.flow_color != FlowColor::none;
   widgets.toggle("Legend", Widgets::share(1), picture.legend, !by_site && !by_flow && settings.cells);
   if (!settings.cells) {
@@ -219,7 +219,7 @@ void drawColor(PanelFrame& frame) {
     if (by >= 0) flow = static_cast<FlowColor>(by);
     widgets.tooltip("Colors by what flows, in place of those above");
   }
-  const bool by_site = picture.color == ColorBy::site && !by_flow;
+  const bool by_site = !colorsHaveKey(picture.color) && !by_flow;
   widgets.row("Scale");
   const int scale = widgets.choice("Scale", scale_choices, static_cast<int>(picture.color_scale), !by_site);
   if (scale >= 0) picture.color_scale = static_cast<ColorScale>(scale);

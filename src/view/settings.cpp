@@ -12,7 +12,7 @@ namespace {
 auto tied(const RenderOptions& p) {
   return std::apply(
       [&](const auto&... row) {
-        return std::tie(p.color, p.colormap, p.color_scale, p.legend, p.fill, p.search.method,
+        return std::tie(p.color, p.colormap, p.colors, p.color_scale, p.legend, p.fill, p.search.method,
                         p.search.neighbors, (p.*row.member)...);
       },
       picture_rows);

@@ -196,7 +196,7 @@ RenderOptions Viewer::picture() const {
   // Without colors there is no legend, and a small window has no room for it.
   const bool has_room =
       options.width >= least_with_legend.width && options.height >= least_with_legend.height;
-  options.legend = options.legend && options.fill && has_room;
+  options.legend = options.legend && options.fill && has_room && colorsHaveKey(options.color);
   return options;
 }
 

@@ -218,7 +218,7 @@ PanelInput Viewer::panelInput(const std::string& presenter, double present_milli
   }
   if (frame_ && frame_->picture.legend && frame_->rendering->key) {
     const RenderOptions& drawn = frame_->picture;
-    const Legend legend = legendOf(*frame_->rendering->key, drawn.colormap, drawn.width, drawn.height);
+    const Legend legend = legendOf(*frame_->rendering->key, drawn);
     const LegendBox& box = legend.boxes.front();
     input.legend = Placement{box.left, box.top, box.width, box.height};
   }

@@ -35,11 +35,30 @@ PictureSize defaultSize(const Box& domain);
 /// The same with another longer side, in pixels.
 PictureSize sizeFor(const Box& domain, int longer_side);
 
-enum class ColorBy : std::uint8_t { site, area, neighbors, weight };
+enum class ColorBy : std::uint8_t {
+  site,
+  area,
+  neighbors,
+  weight,
+  distinct,  ///< cells with a common edge differ, with few colors
+  value,     ///< RenderOptions::values
+};
+
+/// What is known of each site, for colors: a number, or one of several names.
+struct SiteValues {
+  std::string title{};                   ///< the legend's
+  std::vector<double> numbers{};         ///< by site, NaN where there is none; empty if there are names
+  std::vector<std::uint32_t> name_of{};  ///< by site: which of `names`, no_site where there is none
+  std::vector<std::string> names{};      ///< UTF-8, in the legend's order
+  friend bool operator==(const SiteValues&, const SiteValues&) = default;
+};
+
+/// Most names that have a color of their own, unless RenderOptions::colors has others: the most frequent.
+inline constexpr std::size_t most_names = 20;
 
 /// How values become colors. Values that differ by at most 1e-7 of their size are equal.
 enum class ColorScale : std::uint8_t {
-  automatic,  ///< quantile by area and by weight, linear by neighbors
+  automatic,  ///< quantile by area and by weight, linear by neighbors and values
   linear,
   log,       ///< of values above 0; all others have the first color
   quantile,  ///< by rank: each color gets equally many cells; equal values share their middle rank
@@ -57,15 +76,20 @@ enum class Fit : std::uint8_t {
   letterbox,  ///< the domain keeps its aspect, in the middle; pixels beside it have no site
 };
 
+/// Most own colors of a picture.
+inline constexpr std::size_t most_colors = 254;
+
 struct RenderOptions {
   Box domain;         ///< the region drawn; also clips cells
   Outline outline{};  ///< also clips cells, inside the domain; pixels beyond it have no site
   Periodic periodic = Periodic::none;
   int width, height;  ///< pixels, 1 to largest_side each
   ColorBy color = ColorBy::site;
-  std::string colormap = "viridis";  ///< one of colormaps()
-  bool edges = false;                ///< darkens pixels that are next to another cell
-  bool show_sites = false;           ///< a dot at each site
+  /// One of colormaps(). Empty: viridis, or for names and distinct cells colors that color-blind people tell
+  /// apart.
+  std::string colormap{};
+  bool edges = false;       ///< darkens pixels that are next to another cell
+  bool show_sites = false;  ///< a dot at each site
   SearchOptions search;
   Progress progress;  ///< may be empty
   ColorScale color_scale = ColorScale::automatic;
@@ -93,9 +117,15 @@ struct RenderOptions {
   std::vector<std::uint32_t> site_colors{};
   /// Its size on paper, which files have; None: a pixel is 1/96 inch.
   std::optional<PaperSize> paper{};
+  SiteValues values{};               ///< for ColorBy::value
+  std::vector<Color> colors{};       ///< own colors instead of a color map, 2 to most_colors
+  std::vector<std::string> texts{};  ///< of labels, by site, UTF-8; empty: the sites' indices
+  std::string title{};               ///< above the picture, which is higher for it; UTF-8
+  std::string legend_title{};        ///< instead of what the colors show; UTF-8
+  bool legend_beside = false;        ///< the legend is right of the picture, which is wider for it
 };
 
-/// What the colors of a picture mean.
+/// What the colors of a picture mean: numbers in a range, or names.
 struct ColorKey {
   ColorBy color = ColorBy::area;
   ColorScale scale = ColorScale::linear;  ///< never automatic
@@ -103,12 +133,16 @@ struct ColorKey {
   /// Positions along the colors in [0, 1], ascending, with their values; no value twice. Only one tick if all
   /// values are equal.
   std::vector<std::pair<double, double>> ticks{};
+  std::string title{};               ///< of values; else empty
+  std::vector<std::string> names{};  ///< by color, of those that cells have
+  std::uint64_t other_names = 0;     ///< how many further names share one color
+  bool has_missing = false;          ///< whether cells have no value
 };
 
 /// The colors of cells, as in render.
 struct SiteColors {
   std::vector<std::uint32_t> rgba;  ///< by site, in input order
-  std::optional<ColorKey> key;      ///< none with ColorBy::site
+  std::optional<ColorKey> key;      ///< none with ColorBy::site and distinct
 };
 
 /// Colors sites as in a picture with these options; sites without a cell do not count. `cells` are those of
@@ -145,6 +179,19 @@ CellsOptions cellsOptions(const RenderOptions& picture);
 
 std::vector<std::string> colormaps();
 
+/// The name of the color map of values in a range.
+inline std::string colormapOf(const RenderOptions& options) {
+  return options.colormap.empty() ? "viridis" : options.colormap;
+}
+
+/// Whether colors show values in a range or names, so that a legend can say what they mean.
+inline bool colorsHaveKey(ColorBy color) { return color != ColorBy::site && color != ColorBy::distinct; }
+
+/// Whether colors need the cells' measures.
+inline bool colorsNeedCells(ColorBy color) {
+  return color == ColorBy::area || color == ColorBy::neighbors || color == ColorBy::distinct;
+}
+
 /// Row 0 is the top (largest y). The center of pixel (row, column) is
 /// x = xmin + (column + 0.5) / width (xmax - xmin), y = ymax - (row + 0.5) / height (ymax - ymin), counted in
 /// the frame if the domain does not fill the picture.
@@ -158,7 +205,7 @@ struct Rendering {
   Image image;
   std::vector<Status> status;        ///< by site, in input order
   std::vector<std::uint32_t> owner;  ///< the site that owns the cell: itself unless a duplicate
-  std::optional<ColorKey> key;       ///< meaning of the colors; none with ColorBy::site
+  std::optional<ColorKey> key;       ///< meaning of the colors; none with ColorBy::site and distinct
   Report report;
 };
 

@@ -49,11 +49,11 @@ struct Line {
   Point from, to;
 };
 
-/// The index of a site, as a label in its cell.
+/// The index of a site, or a text, as a label in its cell.
 struct SiteLabel {
   std::uint32_t site;
-  Point middle;  ///< of the digits, which are RenderOptions::label_size high, in pixels
-  double width;  ///< of the digits
+  Point middle;  ///< of its capital letters, which are RenderOptions::label_size high, in pixels
+  double width;
   std::string text;
 };
 
@@ -84,8 +84,9 @@ Result<Marks> marksOf(const Sites& sites, const Diagram& cells, const RenderOpti
 Result<std::vector<Line>> dualLines(const Sites& sites, const Diagram& cells, const RenderOptions& options,
                                     int threads = 0);
 
-/// Returns only the labels. `cells` have Detail::polygons. A cell has a label if the box of its digits fits
-/// into the visible part of the cell, beside the site's dot if there is one. Error: that of wrapped().
+/// Returns only the labels. `cells` have Detail::polygons. A cell has a label if its box fits into the
+/// visible part of the cell, beside the site's dot if that lies in the cell, else in the middle. Error: that
+/// of wrapped().
 Result<std::vector<SiteLabel>> siteLabels(const Sites& sites, const Diagram& cells,
                                           const RenderOptions& options, int threads = 0);
 

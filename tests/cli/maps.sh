@@ -425,4 +425,42 @@ succeeds "a box in place of a world file" $cells --sites random:50 --domain 0,0,
 mass 35.9999 36.0001
 refuses_density "a world file that is none" "--density: in/d.wld: has 3 numbers" --density in/d.npy
 
+# -- Pictures of maps: attributes, titles, legends beside, own colors --------------------------------
+printf 'x,y,rain,kind,two,two\n0,0,1,a,,\n1,0,2.5,b,,\n0,1,,a,,\n' >in/rain.csv
+printf '#003366\n\n  white\ntomato\n' >in/colors.txt
+succeeds "colors by an attribute" render --backend cpu --sites in/rain.csv --color @rain --legend beside --title 'A b' --legend-title 'rain, mm' \
+  --colormap in/colors.txt --labels @kind --size 200 -o out/rain.png -o out/rain.svg --stats out/rain.json --check
+cp out/rain.svg in/before.svg
+succeeds "again" rerun out/rain.json
+cmp -s in/before.svg out/rain.svg || fail "the picture is another"
+tr -d ' \n' <out/rain.json | grep -qF '"color":{"by":"@rain","scale":"linear","range":[1.0,2.5]}' || fail "the colors are not in the figures"
+printf '#000000\nblack\n' >in/colors.txt
+fails 2 "another file of colors" "in/colors.txt" rerun out/rain.json
+printf '#003366\nnone\n' >in/colors.txt
+refuses "a color that is none" '--colormap: in/colors.txt:2:1: "none"' --sites random:9 --color area --colormap in/colors.txt
+printf '#003366\n#11223344\n' >in/colors.txt
+refuses "a color that shows what is below" 'in/colors.txt:2:1: "#11223344" is not opaque' --sites random:9 --color area --colormap in/colors.txt
+printf 'red\n' >in/colors.txt
+refuses "one color" "in/colors.txt: has 1 colors, and takes two or more" --sites random:9 --color area --colormap in/colors.txt
+refuses "no file of colors" "--colormap: in/none.txt" --sites random:9 --color area --colormap in/none.txt
+refuses "a list with what is no color" '--colormap: "blau"' --sites random:9 --color area --colormap 'red,blau'
+refuses "a map that is none" 'did you mean viridis?' --sites random:9 --color area --colormap viridi
+refuses "an attribute that is none" '--color: there is no attribute "snow"; known are rain, kind' --sites in/rain.csv --color @snow
+refuses "a label that is none" '--labels: there is no attribute "snow"' --sites in/rain.csv --labels @snow
+refuses "an attribute without values" '--color: no site has a value of "two"' --sites in/rain.csv --color @two
+refuses "no attributes" '--color: there is no attribute "rain"; the sites have none' --sites random:9 --color @rain
+refuses "texts along a scale" "--color-scale: the values of @kind are no numbers" --sites in/rain.csv --color @kind --color-scale log
+refuses "texts in a range" "--color-range: the values of @kind are no numbers" --sites in/rain.csv --color @kind --color-range 1,2
+refuses "a legend of distinct colors" "--legend: distinct colors stand for no values" --sites random:9 --color distinct --legend
+refuses "too few distinct colors" "distinct colors: these cells take" --sites random:99 --color distinct --colormap red,blue
+refuses "a place of a legend that is none" '--legend: "above" is neither inside nor beside' --sites random:9 --color area --legend above
+refuses "a label that is no attribute" '--labels: "name" is not @NAME' --sites random:9 --labels name
+refuses "a title of a legend that is not there" "--legend-title" --sites random:9 --color area --legend-title x
+for option in "--title x" "--color @x" "--labels @x" "--legend beside" "--colormap colors.txt"; do
+  fails 2 "$option of a fluid" "${option% *}" fluid --backend cpu --case shear --particles 64 --steps 1 $option --frames out/f
+done
+fails 2 "a title of frames" "--title: is for pictures" relax --backend cpu --sites random:9 --iterations 1 --title x --frames out/f
+succeeds "labels of a relaxation" relax --backend cpu --sites in/rain.csv --iterations 2 --labels @kind --color @rain --title T --picture out/relaxed.svg
+grep -q '>T</text>' out/relaxed.svg && grep -q '>b</text>' out/relaxed.svg || fail "the title or a label is missing"
+
 finish

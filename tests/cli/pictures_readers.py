@@ -20,6 +20,7 @@ from cells_readers import report_skipped
 import numpy as np
 
 from cells_readers_data import equal, near, program
+from pictures_readers_maps import check_maps
 
 
 def read_png(path):
@@ -283,6 +284,7 @@ def main():
                 except AssertionError as error:
                     failures += 1
                     print(f"FAILED: {check.__name__} of {' '.join(scene.options)}: {error}")
+        failures += check_maps(vorpipe, read_png)
     print(f"{failures} failures")
     return 1 if failures else 0
 

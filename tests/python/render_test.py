@@ -226,3 +226,32 @@ def test_cells_are_drawn_as_shapes(tmp_path):
     with pytest.raises(vorpipe.InputError, match='^legend: '):
         vorpipe.draw([[0, 0]], tmp_path / 'none.svg', legend=True)
     assert sorted(path.name for path in tmp_path.iterdir()) == ['cells.pdf', 'cells.svg']
+
+
+def test_colors_and_labels_are_values_or_attributes(tmp_path):
+    points = [[0.25, 0.75], [0.75, 0.75], [0.25, 0.25], [0.75, 0.25]]
+    box = dict(domain=(0, 0, 1, 1), size=(200, 200), backend='cpu')
+    by_number = vorpipe.render(points, color=[0, 1, None, 2], legend='beside', legend_title='rain, mm', **box)
+    corners = by_number.rgba[[50, 50, 150, 150], [50, 150, 50, 150]]
+    assert corners[2].tolist() == [210, 210, 210, 255] and by_number.key.range == (0, 2)
+    assert by_number.rgba.shape == (200, 200, 4)
+    by_number.save(tmp_path / 'p.png')
+    from PIL import Image
+    assert Image.open(tmp_path / 'p.png').size[0] > 200
+    by_name = vorpipe.render(points, color=['b', 'a', None, 'b'], colormap=['#010203', 'white'], **box)
+    assert by_name.key.names == ['a', 'b']
+    assert by_name.rgba[[50, 50, 150, 150], [50, 150, 50, 150], 0].tolist() == [255, 1, 210, 255]
+    assert pickle.loads(pickle.dumps(by_name)).key.names == ['a', 'b']
+    (tmp_path / 's.csv').write_text('x,y,name,rain\n0.25,0.75,Zürich,1\n0.75,0.75,Genève,2\n0.25,0.25,Bern,3\n',
+                                    encoding='utf-8')
+    sites = vorpipe.read(tmp_path / 's.csv')
+    vorpipe.draw(sites, tmp_path / 's.svg', color='@rain', labels='@name', title='Towns', **box)
+    svg = (tmp_path / 's.svg').read_text(encoding='utf-8')
+    assert all(f'>{text}</text>' in svg for text in ('Zürich', 'Genève', 'Bern', 'Towns'))
+    vorpipe.draw(points, tmp_path / 't.svg', labels=['n', 'e', 's', 'w'], color='distinct', **box)
+    assert '>w</text>' in (tmp_path / 't.svg').read_text(encoding='utf-8')
+    for wrong, words in (({'color': '@snow'}, 'snow'), ({'color': [1, 2]}, 'one for each point'),
+                         ({'labels': '@x'}, 'x'), ({'legend': 'above'}, 'above'), ({'colormap': ['red']}, '1 colors'),
+                         ({'colormap': ['red', 'blau'], 'color': 'area'}, 'blau'), ({'color': [None] * 4}, 'no site')):
+        with pytest.raises(vorpipe.InputError, match=words):
+            vorpipe.render(points, **{**box, **wrong})

@@ -129,6 +129,11 @@ Result<void> checkCommand(RelaxCommand& command, const SitesRun& run) {
   if (command.targets.frames.empty()) {
     VORPIPE_TRY(run.needsOutput("sites.csv", "--cells, --picture, --frames, --trace or --stats"));
   }
+  const RenderOptions& picture = command.picture.render;
+  if (!command.targets.frames.empty() && (!picture.title.empty() || picture.legend_beside)) {
+    return inputError(fmt::format("{}: is for pictures, and frames of --frames have nothing around them",
+                                  picture.title.empty() ? "--legend beside" : "--title"));
+  }
   if (command.options.equal_masses && command.density.empty()) {
     return inputError("--equal-masses: is for a --density; without one masses are areas");
   }
@@ -138,7 +143,7 @@ Result<void> checkCommand(RelaxCommand& command, const SitesRun& run) {
 Result<ExitCode> relax(RelaxCommand& command, const Invocation& how) {
   SitesRun run("relax", command, how, command.targets.pathsWith({command.targets.trace}));
   VORPIPE_TRY(checkCommand(command, run));
-  run.source.reading.attributes = command.targets.carryAttributes();
+  run.source.reading.attributes = command.targets.carryAttributes() || needsAttributes(command.picture);
   const PlanRun plan = std::bind_front(planRelaxation, std::cref(command), std::cref(run));
   VORPIPE_TRY(run.load(plan));
   VORPIPE_TRY(run.begin(plan));

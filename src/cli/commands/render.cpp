@@ -52,10 +52,11 @@ void planRender(const RenderCommand& command, const RenderOptions& options, Memo
   }
 }
 
-/// Returns what determines the colors, their scale and the range of values.
+/// Returns what determines the colors: the scale and range of values, or the names.
 nlohmann::ordered_json colorJson(const ColorKey& key) {
-  return {
-      {"by", nameOf(key.color)}, {"scale", nameOf(key.scale)}, {"range", {key.range.low, key.range.high}}};
+  const std::string by = key.color == ColorBy::value ? "@" + key.title : std::string(nameOf(key.color));
+  if (!key.names.empty()) return {{"by", by}, {"names", key.names}, {"other_names", key.other_names}};
+  return {{"by", by}, {"scale", nameOf(key.scale)}, {"range", {key.range.low, key.range.high}}};
 }
 
 Result<void> writeFiles(const RenderCommand& command, CommandRun& run, const Input& input,
@@ -66,7 +67,8 @@ Result<void> writeFiles(const RenderCommand& command, CommandRun& run, const Inp
                               drawing.pixels ? &drawing.pixels->image : nullptr,
                               drawing.cells ? &*drawing.cells : nullptr,
                               input.system,
-                              command.backend.threads};
+                              command.backend.threads,
+                              drawing.key};
   const auto add = [&](const auto* format) {
     output.writers.emplace_back([&picture, format](ByteSink& to) { return format->write(to, picture); });
   };
@@ -95,6 +97,7 @@ Result<ExitCode> render(RenderCommand& command, const Invocation& how) {
   const PictureSize known = sizeBefore(command.picture);
   options.width = known.width;
   options.height = known.height;
+  command.input.reading.attributes = needsAttributes(command.picture);
   const PlanRun plan = std::bind_front(planRender, std::cref(command), std::cref(options));
   VORPIPE_VAR(input, run.load(command.input, plan));
   VORPIPE_VAR(complete, pictureOf(command.picture, command.input, input));

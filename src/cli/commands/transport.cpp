@@ -263,7 +263,8 @@ Result<ExitCode> transportCells(TransportCommand& command, const Invocation& how
   SitesRun run("transport", command, how,
                command.targets.pathsWith({command.weights, command.targets.trace}));
   VORPIPE_TRY(checkCommand(command, run));
-  run.source.reading.attributes = command.targets.carryAttributes() || wantsAttributes(command.masses);
+  run.source.reading.attributes = command.targets.carryAttributes() || wantsAttributes(command.masses) ||
+                                  needsAttributes(command.picture);
   run.source.reading.needed = neededFor(command.masses);
   run.surface = command.masses.around();
   const PlanRun plan = std::bind_front(planTransport, std::cref(command), std::cref(run));

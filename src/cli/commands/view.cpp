@@ -153,6 +153,7 @@ Result<view::AppOptions> appOf(const ViewCommand& command) {
     options.viewer.density = std::make_shared<const Density>(std::move(density->density));
     options.viewer.settings.density_path = command.density;
   }
+  VORPIPE_TRY(checkLabels(command.picture));
   VORPIPE_VAR(opened, openedBy(command));
   options.viewer.opened = std::move(opened);
   options.viewer.settings.picture = command.picture.render;

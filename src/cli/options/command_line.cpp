@@ -69,8 +69,8 @@ DeclaredOption declaredOption(const CLI::Option& option, const ChoicesOf& choice
   }
   declared.description = option.get_description();
   declared.group = option.get_group();
-  declared.takes_value = option.get_items_expected_max() > 0;
-  if (declared.takes_value) declared.value = option.get_type_name();
+  declared.takes_value = option.get_items_expected_min() > 0;
+  if (option.get_items_expected_max() > 0) declared.value = option.get_type_name();
   if (const auto known = choices.find(&option); known != choices.end()) declared.choices = known->second;
   declared.required = option.get_required();
   declared.repeatable = option.get_expected_max() > 1;
@@ -108,6 +108,19 @@ Option& Option::excludes(const Option& other) {
 Option Options::add(const std::string& name, Value value, const std::string& description) {
   auto* option = app_->add_option_function<std::string>(name, std::move(value.keep), description);
   option->type_name(value.name)->check(std::move(value.fault));
+  return place(option, std::move(value.choices));
+}
+
+Option Options::addOptional(const std::string& name, Value value, const std::string& description) {
+  // Of an option without its value CLI11 makes an empty text, or, in some versions, that of an empty list.
+  const auto given = [](const std::string& text) { return text == "{}" ? std::string() : text; };
+  auto* option = app_->add_option_function<std::string>(
+      name, [given, keep = std::move(value.keep)](const std::string& text) { keep(given(text)); },
+      description);
+  option->type_name(fmt::format("[{}]", value.name))->expected(0, 1);
+  option->check([given, fault = std::move(value.fault)](const std::string& text) {
+    return given(text).empty() ? std::string() : fault(text);
+  });
   return place(option, std::move(value.choices));
 }
 

@@ -54,6 +54,8 @@ class Options {
   Options(CLI::App* app, ChoicesOf* choices) : app_(app), choices_(choices) {}
   /// Adds an option or operand that is given at most once.
   Option add(const std::string& name, Value value, const std::string& description);
+  /// The same for an option whose value may be left out: `keep` then receives an empty text.
+  Option addOptional(const std::string& name, Value value, const std::string& description);
   /// Adds an option that may be given any number of times. Each takes one value, so that it does not swallow
   /// the arguments after it.
   Option addRepeatable(const std::string& name, Value value, const std::string& description);

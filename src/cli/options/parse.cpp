@@ -181,7 +181,27 @@ Parsed<std::pair<std::string, std::uint64_t>> parseLimit(std::string_view text) 
 
 Parsed<ColorBy> parseColor(std::string_view text) { return valueIn<ColorBy>(text); }
 
-Parsed<std::string> parseColormap(std::string_view text) { return oneOf(colormaps(), text); }
+Parsed<ColormapChoice> parseColormap(std::string_view text) {
+  ColormapChoice choice;
+  if (text.find(',') != std::string_view::npos || text.starts_with('#')) {
+    for (const std::string_view part : split(text, ',')) {
+      const auto color = readColor(trimmed(part));
+      if (!color) return bad(color.error().message);
+      if (!color->isOpaque()) return bad(fmt::format("{} is not opaque", inQuotes(part)));
+      choice.colors.push_back(*color);
+    }
+    if (choice.colors.size() < 2) return bad("is one color, and takes two or more");
+    return choice;
+  }
+  if (text.find_first_of("./") != std::string_view::npos) {
+    VORPIPE_VAR(path, parseFile(text, ""));
+    choice.file = std::move(path);
+    return choice;
+  }
+  VORPIPE_VAR(name, oneOf(colormaps(), text));
+  choice.name = std::move(name);
+  return choice;
+}
 
 Parsed<std::vector<BackendDevice>> parseBackendDevices(std::string_view text) {
   std::vector<BackendDevice> named;

@@ -75,8 +75,14 @@ Parsed<std::pair<std::string, std::uint64_t>> parseLimit(std::string_view text);
 /// One of colorNames().
 Parsed<ColorBy> parseColor(std::string_view text);
 
-/// One of colormaps().
-Parsed<std::string> parseColormap(std::string_view text);
+/// Own colors, the file with them, or the name of a map.
+struct ColormapChoice {
+  std::string name, file;
+  std::vector<Color> colors;
+};
+
+/// One of colormaps(), two or more colors with commas between them, or a file.
+Parsed<ColormapChoice> parseColormap(std::string_view text);
 
 /// Different backendNames(), separated by commas.
 Parsed<std::vector<std::string>> parseBackendList(std::string_view text);

@@ -1,11 +1,13 @@
 #include "cli/options/picture_options.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <map>
+#include <utility>
 
 #include "base/try.h"
 #include "cli/options/row_options.h"
@@ -18,6 +20,42 @@ namespace vorpipe::cli {
 namespace {
 
 Parsed<ColorScale> parseScale(std::string_view text) { return parseNameOf(text, ColorScale::linear); }
+
+constexpr std::array<std::string_view, 2> legend_places{"inside", "beside"};
+
+Parsed<std::string_view> parseLegendPlace(std::string_view text) {
+  if (text.empty()) return legend_places[0];
+  const auto* const found = std::ranges::find(legend_places, text);
+  if (found != legend_places.end()) return *found;
+  return tl::unexpected(fmt::format("{} is neither inside nor beside", inQuotes(text)));
+}
+
+Parsed<ColormapChoice> parseListedColormap(std::string_view text) {
+  VORPIPE_VAR(choice, parseColormap(text));
+  if (choice.file.empty()) return choice;
+  return tl::unexpected(fmt::format("{} is a file; list its colors, with commas", inQuotes(text)));
+}
+
+Parsed<std::string> parseAttribute(std::string_view text) {
+  if (text.empty()) return std::string();
+  if (text.starts_with('@') && text.size() > 1) return std::string(text.substr(1));
+  return tl::unexpected(fmt::format("{} is not @NAME, an attribute of the sites", inQuotes(text)));
+}
+
+struct ColorChoice {
+  ColorBy by = ColorBy::site;
+  std::string attribute, photograph;
+};
+
+Parsed<ColorChoice> parseColorChoice(std::string_view text) {
+  if (text.starts_with('@')) {
+    return parseAttribute(text).map([](std::string name) {
+      return ColorChoice{ColorBy::value, std::move(name), {}};
+    });
+  }
+  if (isPhotograph(text)) return ColorChoice{ColorBy::site, {}, std::string(text)};
+  return parseColor(text).map([](ColorBy by) { return ColorChoice{by, {}, {}}; });
+}
 
 Parsed<ColorRange> parseColorRange(std::string_view text) {
   VORPIPE_LET(range, parseWeightRange(text));
@@ -105,61 +143,109 @@ void addSizeOptions(Options& options, PictureOptions& picture) {
 
 namespace {
 
-/// --colormap, --color-scale, --color-range, --legend
+/// --colormap; `kinds` are the other kinds that it takes, in words.
+template <class Parse, class Keep>
+void addColormap(Options& options, std::string_view kinds, std::vector<std::string> extensions,
+                 const Parse& parse, const Keep& keep) {
+  options.add(
+      "--colormap", parsedValue("NAME", parse, keep, {colormaps(), std::move(extensions)}),
+      fmt::format("the colors: {}; or own ones, as in '#003366,white,tomato'{} [{}; of names and distinct "
+                  "cells those of Okabe and Ito]",
+                  anyOf(colormaps()), kinds, colormapOf({})));
+}
+
+/// --color-scale, --color-range
 void addScaleOptions(Options& options, RenderOptions& picture) {
-  addParsed(options, "--colormap", picture.colormap, "NAME",
-            fmt::format("the colors: {} [{}]", anyOf(colormaps()), picture.colormap), parseColormap,
-            {colormaps(), {}});
   addParsed(options, "--color-scale", picture.color_scale, "KIND",
             "how values become colors: linear or log from the least to the greatest, or quantile, by rank "
-            "[quantile by area and weight, linear by neighbors]",
+            "[quantile by area and weight, linear by neighbors and attributes]",
             parseScale, {namesFrom(ColorScale::linear), {}});
   addParsed(
       options, "--color-range", picture.color_range, "LO,HI",
       "the values of the first and the last color; those beyond have the same, and quantiles are those of "
       "the values inside [all cells' values]",
       parseColorRange);
-  options.addFlag("--legend", picture.legend, "draws what the colors stand for into the lower left corner");
+}
+
+/// --legend, --legend-title, --title
+void addSheetOptions(Options& options, RenderOptions& picture) {
+  const auto keep = [&picture](std::string_view place) {
+    picture.legend = true;
+    picture.legend_beside = place == legend_places[1];
+  };
+  const Option legend = options.addOptional(
+      "--legend", parsedValue("PLACE", parseLegendPlace, keep, {{"inside", "beside"}, {}}),
+      "draws what the colors stand for: inside, in the lower left corner, or beside the picture, which is "
+      "wider for it [inside]");
+  options
+      .addText("--legend-title", picture.legend_title, "TEXT",
+               "above the legend, as in 'rain, mm' [what --color shows]")
+      .needs(legend);
+  options.addText("--title", picture.title, "TEXT", "above the picture, which is higher for it");
 }
 
 }  // namespace
 
 void addColorOptions(Options& options, RenderOptions& picture) {
-  addParsed(options, "--color", picture.color, "BY",
-            fmt::format("what colors show: {} [site]", anyOf(colorNames())), parseColor, {colorNames(), {}});
+  addParsed(
+      options, "--color", picture.color, "BY",
+      fmt::format("what colors show: {}; distinct: cells with a common edge differ, with few colors [site]",
+                  anyOf(colorNames())),
+      parseColor, {colorNames(), {}});
+  addColormap(options, "", {}, parseListedColormap, [&picture](ColormapChoice choice) {
+    picture.colormap = std::move(choice.name);
+    picture.colors = std::move(choice.colors);
+  });
   addScaleOptions(options, picture);
+  options.addFlag("--legend", picture.legend, "draws what the colors stand for into the lower left corner");
 }
 
 void addColorOptions(Options& options, PictureOptions& picture) {
-  const auto parse = [&](std::string_view text) {
-    if (!isPhotograph(text)) return parseColor(text);
-    picture.photograph.file = text;
-    return Parsed<ColorBy>(ColorBy::site);
+  const auto keep = [&picture](ColorChoice choice) {
+    picture.render.color = choice.by;
+    picture.color_attribute = std::move(choice.attribute);
+    picture.photograph.file = std::move(choice.photograph);
   };
-  Option color = addParsed(
-      options, "--color", picture.render.color, "BY or FILE",
+  Choices choices{colorNames(), {".png", ".jpg", ".jpeg"}};
+  choices.words.emplace_back("@");
+  Option color = options.add(
+      "--color", parsedValue("BY or FILE", parseColorChoice, keep, std::move(choices)),
       fmt::format(
-          "what colors show: {}; or a photograph, .png or .jpg, over the domain or where a world file "
+          "what colors show: {}, where cells with a common edge differ, with few colors; or @NAME, an "
+          "attribute of the sites; or a photograph, .png or .jpg, over the domain or where a world file "
           "beside it says: cells have the mean color of its pixels [site]",
-          anyOf(colorNames())),
-      parse, {colorNames(), {".png", ".jpg", ".jpeg"}});
+          anyOf(colorNames())));
   addParsed(
       options, "--color-box", picture.photograph.box, "XMIN,YMIN,XMAX,YMAX",
       "where the pixels of a photograph lie, as --density-box; cells beyond it are white [the domain's box]",
       parseBox)
       .needs(color);
+  addColormap(options, ", or a FILE with one to a line", {".txt"}, parseColormap,
+              [&picture](ColormapChoice choice) {
+                picture.render.colormap = std::move(choice.name);
+                picture.render.colors = std::move(choice.colors);
+                picture.colors_file = std::move(choice.file);
+              });
   addScaleOptions(options, picture.render);
+  addSheetOptions(options, picture.render);
 }
 
 void addMarkOptions(Options& options, PictureOptions& picture) {
   std::map<std::string_view, Option> flags;
+  const auto keep_labels = [&picture](std::string attribute) {
+    picture.render.labels = true;
+    picture.label_attribute = std::move(attribute);
+  };
   const auto add = [&](const auto& row) {
-    Option option = addRow(options, row, picture.render, picture.given);
     if constexpr (requires { row.of; }) {
+      Option option = addRow(options, row, picture.render, picture.given);
       // CLI11 has no option that needs one of two others.
       if (row.of[0] != nullptr && row.of[1] == nullptr) option.needs(flags.at(row.of[0]->name));
+    } else if (std::string_view(row.name) == labels_row.name) {
+      const Value value = parsedValue("@NAME", parseAttribute, keep_labels, {{"@"}, {}});
+      flags.emplace(row.name, options.addOptional(flagOf(row), value, row.help));
     } else {
-      flags.emplace(row.name, option);
+      flags.emplace(row.name, addRow(options, row, picture.render, picture.given));
     }
   };
   forEachRow(mark_rows, add);
@@ -207,6 +293,12 @@ PictureSize sizeOf(const PictureOptions& picture, const Box& shown) {
   if (size.paper && size.paper->height == 0) return sizeFor(shown, pixelsOf(size.paper->width, picture.dpi));
   if (size.paper) return sizeBefore(picture);
   return size.sides.value_or(size.longer_side > 0 ? sizeFor(shown, size.longer_side) : defaultSize(shown));
+}
+
+Result<void> checkLabels(const PictureOptions& picture) {
+  if (picture.label_attribute.empty()) return {};
+  return inputError(
+      fmt::format("--labels: @{} is an attribute, and these sites have none", picture.label_attribute));
 }
 
 void addPictureGroup(Options& options, PictureOptions& picture) {

@@ -30,6 +30,9 @@ struct PhotographChoice {
 /// Options of pictures that several subcommands share.
 struct PictureOptions {
   RenderOptions render{};
+  std::string color_attribute;  ///< of the sites, for ColorBy::value
+  std::string label_attribute;  ///< of the sites; empty: labels are their indices
+  std::string colors_file;      ///< with the colors of a map
   SizeChoice size;
   double dpi = 300;  ///< pixels per inch of a size on paper
   PhotographChoice photograph;
@@ -44,10 +47,17 @@ void addSizeOptions(Options& options, PictureOptions& picture);
 Option addFitOption(Options& options, std::optional<Fit>& fit);
 /// --view alone.
 Option addViewOption(Options& options, std::optional<Box>& view);
-/// --color, --colormap, --color-scale, --color-range, --legend
+/// --color, --colormap, --color-scale, --color-range and --legend, of sites without attributes.
 void addColorOptions(Options& options, RenderOptions& picture);
-/// The same, and --color FILE with --color-box.
+/// The same, and attributes, --color FILE with --color-box, --colormap FILE, --legend beside, --legend-title,
+/// --title.
 void addColorOptions(Options& options, PictureOptions& picture);
+/// Whether attributes of the sites are needed.
+inline bool needsAttributes(const PictureOptions& picture) {
+  return !picture.color_attribute.empty() || !picture.label_attribute.empty();
+}
+/// Error (input): labels are of an attribute, where sites have none.
+Result<void> checkLabels(const PictureOptions& picture);
 /// The options of picture_rows, and --no-fill.
 void addMarkOptions(Options& options, PictureOptions& picture);
 /// Error (input): a number is given that draws nothing without a flag.

@@ -113,6 +113,10 @@ PdfFont::PdfFont() {
   glyphs_ = glyphsIn(FontTable::of(file, "cmap"));
 }
 
+bool PdfFont::has(std::string_view text) const {
+  return std::ranges::all_of(lettersOf(text), [&](char32_t letter) { return glyphs_.contains(letter); });
+}
+
 std::vector<std::uint16_t> PdfFont::glyphsOf(std::string_view text) const {
   std::vector<std::uint16_t> glyphs;
   for (const char32_t letter : lettersOf(text)) {

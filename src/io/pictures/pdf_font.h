@@ -20,6 +20,7 @@ class PdfFont {
   /// Height of a capital letter, in ems.
   static constexpr double capital_height = 0.729;
 
+  [[nodiscard]] bool has(std::string_view text) const;
   /// Returns the width of a text in UTF-8, in ems.
   [[nodiscard]] double widthOf(std::string_view text) const;
   /// Appends a text as a string of PDF.

@@ -186,8 +186,13 @@ void paintBox(Bytes& text, const LegendBox& box) {
 
 void printLegend(Bytes& text, const PdfFont& font, const Legend& legend) {
   for (const LegendBox& box : legend.boxes) paintBox(text, box);
+  std::uint32_t last = black;
   put(text, "0 g\n");
-  for (const LegendText& line : legend.texts) printText(text, font, line);
+  for (const LegendText& line : legend.texts) {
+    if (line.rgba != last) printColor(text, line.rgba, "rg");
+    last = line.rgba;
+    printText(text, font, line);
+  }
 }
 
 Result<void> writeLabels(ByteSink& page, Bytes& text, const PdfFont& font, const VectorPicture& picture) {
@@ -225,11 +230,11 @@ struct Points {
 Result<void> writeContents(ByteSink& page, const VectorPicture& picture, const PdfFont& font,
                            const Points& points) {
   Bytes text;
-  print(text, FMT_COMPILE("{} 0 0 -{} 0 {} cm 1 j 1 J\nq\n"), points.across, points.down,
-        points.down * picture.height());
+  print(text, FMT_COMPILE("{} 0 0 -{} {} {} cm 1 j 1 J\nq\n"), points.across, points.down,
+        points.across * picture.sheet().left, points.down * (picture.height() - picture.sheet().top));
   if (const auto background = picture.background()) {
-    const LegendBox paper{0, 0, static_cast<double>(picture.width()), static_cast<double>(picture.height()),
-                          background->rgba};
+    const LegendBox paper{0, 0, static_cast<double>(picture.options().width),
+                          static_cast<double>(picture.options().height), background->rgba};
     paintBox(text, paper);
     put(text, "Q q\n");
   }
@@ -251,6 +256,7 @@ Result<void> writeContents(ByteSink& page, const VectorPicture& picture, const P
   put(text, "Q\n");
   VORPIPE_TRY(writeLabels(page, text, font, picture));
   if (picture.legend()) printLegend(text, font, *picture.legend());
+  if (!picture.sheet().legend.boxes.empty()) printLegend(text, font, picture.sheet().legend);
   return writeAll(page, text);
 }
 
@@ -299,6 +305,7 @@ std::string pageObject(const VectorPicture& picture, const Points& points) {
   if (picture.legend()) {
     for (const LegendBox& box : picture.legend()->boxes) opacities.insert(box.rgba >> 24);
   }
+  for (const LegendBox& box : picture.sheet().legend.boxes) opacities.insert(box.rgba >> 24);
   std::string states;
   for (const std::uint32_t opacity : opacities) {
     states += fmt::format("{} << /ca {:.3g} >> ", opacityName(opacity << 24), opacity / opaque);
@@ -343,6 +350,9 @@ Result<void> writeFile(ByteSink& sink, const VectorPicture& picture) {
 
 Result<void> writePdfPicture(ByteSink& sink, const Sites& sites, const Diagram& diagram,
                              const RenderOptions& options, int threads) {
+  const PdfFont font;
+  VORPIPE_TRY(
+      checkLetters(options, "the font of a .pdf", [&](std::string_view text) { return font.has(text); }));
   return writeShapes(sink, sites, diagram, options, threads,
                      [&](const VectorPicture& picture) { return writeFile(sink, picture); });
 }

@@ -10,6 +10,7 @@
 #include "io/pictures/png_file.h"
 #include "io/pictures/vector_picture.h"
 #include "vorpipe.h"
+#include "vorpipe/legend.h"
 
 namespace vorpipe {
 namespace {
@@ -18,11 +19,21 @@ PixelGrid gridOf(const RenderOptions& options) { return pixelGridOf(shownBox(opt
 
 Result<void> asPng(ByteSink& sink, const PictureOutput& output) {
   assert(output.image != nullptr);
+  const Sheet sheet = sheetOf(output.options, output.key);
+  if (!sheet.legend.boxes.empty()) {
+    const Image whole = onSheet(*output.image, sheet);
+    return writePng(sink, whole.width, whole.height, whole.rgba, paperOf(output.options, sheet));
+  }
   return writePng(sink, output.image->width, output.image->height, output.image->rgba, output.options.paper);
 }
 
 Result<void> asWorldFile(ByteSink& sink, const PictureOutput& output) {
-  return writeWorldFile(sink, gridOf(output.options));
+  // The pixels of the .png, which begin with what stands around the picture.
+  PixelGrid grid = gridOf(output.options);
+  const Sheet sheet = sheetOf(output.options, output.key);
+  grid.left -= sheet.left * grid.width;
+  grid.top += sheet.top * grid.height;
+  return writeWorldFile(sink, grid);
 }
 
 Result<void> asSvg(ByteSink& sink, const PictureOutput& output) {

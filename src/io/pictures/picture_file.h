@@ -1,6 +1,7 @@
 /// Writes pictures, and the sites of their pixels, as a file of any known kind.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -19,6 +20,7 @@ struct PictureOutput {
   const Diagram* diagram = nullptr;  ///< the cells with Detail::polygons, for formats of shapes
   CoordinateSystem system{};         ///< of the sites
   int threads = 0;                   ///< 0 for all
+  std::optional<ColorKey> key{};     ///< what the colors of pixels mean
 };
 
 /// A kind of file for pictures.

@@ -81,7 +81,8 @@ void printHead(Bytes& text, const VectorPicture& picture) {
   } else {
     print(text, FMT_COMPILE(" width=\"{}\" height=\"{}\""), picture.width(), picture.height());
   }
-  print(text, FMT_COMPILE(" viewBox=\"0 0 {} {}\">\n"), picture.width(), picture.height());
+  print(text, FMT_COMPILE(" viewBox=\"{} {} {} {}\">\n"), -picture.sheet().left, -picture.sheet().top,
+        picture.width(), picture.height());
   const Box clip = picture.clip();
   put(text, "<clipPath id=\"frame\">");
   printRectangle(text, clip.xmin, clip.ymin, clip.xmax - clip.xmin, clip.ymax - clip.ymin);
@@ -215,14 +216,14 @@ void printBox(Bytes& text, const LegendBox& box) {
   put(text, "/>\n");
 }
 
-/// Writes `color` unless it is black.
-void printText(Bytes& text, const LegendText& line, std::uint32_t color) {
+/// Writes the color unless it is black.
+void printText(Bytes& text, const LegendText& line) {
   constexpr std::string_view anchors[] = {"start", "middle", "end"};
   put(text, "<text");
   printLength(text, "x", line.x);
   printLength(text, "y", line.baseline);
   printLength(text, "font-size", fontSize(line.height));
-  if (color != black) printColor(text, "fill", color);
+  if (line.rgba != black) printColor(text, "fill", line.rgba);
   print(text, FMT_COMPILE(" text-anchor=\"{}\">"), anchors[static_cast<std::size_t>(line.anchor)]);
   for (const char letter : line.text) {
     put(text, letter == '<' ? "&lt;" : letter == '&' ? "&amp;" : std::string_view(&letter, 1));
@@ -230,12 +231,12 @@ void printText(Bytes& text, const LegendText& line, std::uint32_t color) {
   put(text, "</text>\n");
 }
 
-void printLegend(Bytes& text, const Legend& legend) {
-  beginLayer(text, "legend");
+void printLegend(Bytes& text, std::string_view layer, const Legend& legend) {
+  beginLayer(text, layer);
   put(text, ">\n");
   for (const LegendBox& box : legend.boxes) printBox(text, box);
   print(text, FMT_COMPILE("<g{}>\n"), fonts);
-  for (const LegendText& line : legend.texts) printText(text, line, black);
+  for (const LegendText& line : legend.texts) printText(text, line);
   put(text, "</g>\n</g>\n");
 }
 
@@ -244,7 +245,7 @@ Result<void> writeLabels(ByteSink& sink, Bytes& text, const VectorPicture& pictu
   print(text, FMT_COMPILE("{}>\n"), fonts);
   for (const SiteLabel& label : picture.labels()) {
     if (const auto box = picture.boxBelow(label)) printBox(text, *box);
-    printText(text, picture.textOf(label), inkOn(picture.color(label.site)));
+    printText(text, picture.textOf(label));
     VORPIPE_TRY(writeIfFull(sink, text));
   }
   put(text, "</g>\n");
@@ -255,7 +256,8 @@ Result<void> write(ByteSink& sink, const VectorPicture& picture, const Diagram& 
   Bytes text;
   printHead(text, picture);
   if (const auto background = picture.background()) {
-    const auto width = static_cast<double>(picture.width()), height = static_cast<double>(picture.height());
+    const auto width = static_cast<double>(picture.options().width),
+               height = static_cast<double>(picture.options().height);
     beginLayer(text, "background");
     put(text, ">\n");
     printBox(text, {0, 0, width, height, background->rgba});
@@ -274,7 +276,8 @@ Result<void> write(ByteSink& sink, const VectorPicture& picture, const Diagram& 
   if (!picture.labels().empty()) {
     VORPIPE_TRY(writeLabels(sink, text, picture));
   }
-  if (picture.legend()) printLegend(text, *picture.legend());
+  if (picture.legend()) printLegend(text, "legend", *picture.legend());
+  if (!picture.sheet().legend.boxes.empty()) printLegend(text, "sheet", picture.sheet().legend);
   put(text, "</svg>\n");
   return writeAll(sink, text);
 }

@@ -77,8 +77,9 @@ Result<VectorPicture> VectorPicture::make(const Sites& sites, const Diagram& dia
   VectorPicture picture(sites, diagram, options);
   VORPIPE_VAR(colors, siteColors(sites, diagram, options));
   picture.colors_ = std::move(colors);
-  if (options.legend && picture.colors_.key) {
-    picture.legend_ = legendOf(*picture.colors_.key, options.colormap, options.width, options.height);
+  picture.sheet_ = sheetOf(options, picture.colors_.key);
+  if (options.legend && !options.legend_beside && picture.colors_.key) {
+    picture.legend_ = legendOf(*picture.colors_.key, options);
   }
   if (options.show_sites) {
     VORPIPE_TRY(picture.placeDots(sites, threads));
@@ -96,7 +97,8 @@ Result<VectorPicture> VectorPicture::make(const Sites& sites, const Diagram& dia
 
 LegendText VectorPicture::textOf(const SiteLabel& label) const {
   const double height = options_->label_size;
-  return {label.middle.x, label.middle.y + height / 2, height, Anchor::middle, label.text};
+  return {label.middle.x, label.middle.y + height / 2, height, Anchor::middle,
+          label.text,     inkOn(color(label.site))};
 }
 
 std::optional<LegendBox> VectorPicture::boxBelow(const SiteLabel& label) const {

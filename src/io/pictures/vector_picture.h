@@ -97,10 +97,13 @@ class VectorPicture {
   static Result<VectorPicture> make(const Sites& sites, const Diagram& diagram, const RenderOptions& options,
                                     int threads = 0);
 
-  [[nodiscard]] int width() const { return options_->width; }
-  [[nodiscard]] int height() const { return options_->height; }
-  /// Its size on paper, if it has one.
-  [[nodiscard]] const std::optional<PaperSize>& paper() const { return options_->paper; }
+  [[nodiscard]] const RenderOptions& options() const { return *options_; }
+  /// Of the picture with what stands around it.
+  [[nodiscard]] int width() const { return sheet_.left + options_->width + sheet_.right; }
+  [[nodiscard]] int height() const { return sheet_.top + options_->height + sheet_.bottom; }
+  /// The size of all of it on paper, if it has one.
+  [[nodiscard]] std::optional<PaperSize> paper() const { return paperOf(*options_, sheet_); }
+  [[nodiscard]] const Sheet& sheet() const { return sheet_; }
   /// Pixels that show the domain: everything except the legend is clipped to them.
   [[nodiscard]] Box clip() const { return places_.pixels(); }
   [[nodiscard]] bool hasEdges() const { return options_->edges; }
@@ -163,6 +166,7 @@ class VectorPicture {
   PicturePlaces places_;
   SiteColors colors_;
   std::optional<Legend> legend_;
+  Sheet sheet_;
   std::vector<Point> dots_;
   DotSize dot_{};
   std::vector<Line> dual_;

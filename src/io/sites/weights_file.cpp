@@ -20,6 +20,7 @@
 #include "io/base/number.h"
 #include "io/base/print.h"
 #include "io/base/quoted.h"
+#include "io/sites/attribute_values.h"
 #include "io/sites/site_columns.h"
 
 namespace vorpipe {
@@ -183,18 +184,7 @@ Result<std::vector<double>> readMasses(const std::string& path, std::uint64_t co
 
 Result<std::vector<double>> massesIn(std::span<const Attribute> attributes, std::string_view name,
                                      ZeroMass zero) {
-  const auto has_name = [&](const Attribute& attribute) { return attribute.name() == name; };
-  const auto found = std::ranges::find_if(attributes, has_name);
-  if (found == attributes.end()) {
-    std::vector<std::string> known;
-    for (const Attribute& attribute : attributes) known.push_back(attribute.name());
-    return inputError(fmt::format(
-        "there is no attribute {}; {}", inQuotes(name),
-        known.empty() ? "the sites have none" : fmt::format("known are {}", fmt::join(known, ", "))));
-  }
-  if (std::ranges::count_if(attributes, has_name) > 1) {
-    return inputError(fmt::format("there are several attributes {}", inQuotes(name)));
-  }
+  VORPIPE_LET(found, attributeNamed(attributes, name));
   std::vector<double> masses;
   masses.reserve(found->size());
   for (std::size_t site = 0; site < found->size(); ++site) {

@@ -245,6 +245,33 @@ TEST(Labels, StandInWhatAnOutlineLeavesOfACell) {
   EXPECT_TRUE(at.x < 20 || at.x > 80 || at.y > 80) << at.x << ' ' << at.y;
 }
 
+TEST(Labels, StandInTheMiddleOfCellsWhoseSitesLieElsewhere) {
+  RenderOptions options = optionsOf(200, 200);
+  options.labels = options.show_sites = true;
+  options.texts = {"here", "there"};
+  // The second has the upper half, and lies above the picture.
+  const Sites sites{{0.5, 0.5}, {-0.5, 1.5}, {}};
+  const auto labels = siteLabels(sites, polygonsOf(sites, options), options);
+  ASSERT_TRUE(labels);
+  ASSERT_EQ(labels->size(), 2u);
+  EXPECT_EQ((*labels)[1].text, "there");
+  EXPECT_NEAR((*labels)[1].middle.x, 100, 1);
+  EXPECT_NEAR((*labels)[1].middle.y, 50, 1);
+}
+
+TEST(Labels, AreAsManyAsTheSites) {
+  RenderOptions options = optionsOf(200, 200);
+  options.labels = true;
+  options.texts = {"one"};
+  const Sites sites{{0.2, 0.8}, {0.5, 0.5}, {}};
+  EXPECT_FALSE(siteLabels(sites, polygonsOf(sites, options), options));
+  options.texts = {"", "two"};
+  const auto labels = siteLabels(sites, polygonsOf(sites, options), options);
+  ASSERT_TRUE(labels);
+  ASSERT_EQ(labels->size(), 1u);
+  EXPECT_EQ(labels->front().site, 1u);
+}
+
 TEST(Labels, StandOutFromTheirCells) {
   EXPECT_EQ(inkOn(0xFF000000u), white);
   EXPECT_EQ(inkOn(0xFFFFFFFFu), black);
@@ -277,6 +304,27 @@ TEST(Font, CapitalsAndSmallLettersAllDiffer) {
     pictures.insert(image.rgba);
   }
   EXPECT_EQ(pictures.size(), letters.size());
+}
+
+TEST(Font, LettersWithMarksDifferFromAllOthers) {
+  const std::vector<std::string> letters = {
+      "A", "À", "Á", "Â", "Ã", "Ä", "Å", "Æ", "Ç", "E", "È", "É", "Ê", "Ë",  "Ě", "Ę", "Ð",
+      "Ñ", "O", "Ö", "Ő", "Ø", "Œ", "Ů", "Ű", "Þ", "ß", "a", "ä", "å", "æ",  "ç", "e", "è",
+      "é", "ê", "ë", "ě", "ę", "i", "ì", "í", "î", "ï", "ı", "ð", "ñ", "o",  "ö", "ő", "ø",
+      "œ", "þ", "ÿ", "ă", "ć", "č", "ď", "đ", "d", "ğ", "Ł", "L", "ł", "l",  "ľ", "ń", "ř",
+      "ś", "ş", "s", "ș", "ť", "t", "ů", "ž", "ż", "ź", "z", "&", "'", "\"", "@"};
+  std::set<std::vector<std::uint32_t>> pictures;
+  for (const std::string& letter : letters) {
+    EXPECT_TRUE(pixelsHaveLetters(letter)) << letter;
+    Image image{70, 90, std::vector<std::uint32_t>(70 * 90, white), {}};
+    drawTextAt(letter, {8, 65}, 35, black, image);
+    pictures.insert(image.rgba);
+  }
+  // A cedilla stands for the comma of Romanian.
+  EXPECT_EQ(pictures.size(), letters.size() - 1);
+  EXPECT_EQ(unitsOf("Zürich"), unitsOf("Zurich"));
+  for (const char* other : {"Москва", "東京", "Αθήνα", "\xff"})
+    EXPECT_FALSE(pixelsHaveLetters(other)) << other;
 }
 
 TEST(Marks, WhatIsOutOfRangeIsRefused) {
