@@ -9,7 +9,7 @@ from typing import Optional
 import numpy as np
 import numpy.typing as npt
 
-from . import _arguments, _shared, _vorpipe
+from . import _look, _shared, _vorpipe
 from ._kept import Kept
 
 #: pixels of the longer side; of a picture that is there already the most
@@ -45,7 +45,7 @@ def pixels_of_cells(given: _vorpipe.Input) -> Optional[npt.NDArray[np.uint8]]:
     """A picture of the cells of these points."""
     if len(given) > MOST_POINTS:
         return None
-    look = _arguments.look_of(SIDE, 'site', edges=len(given) <= MOST_EDGES, fit='letterbox')
+    look = _look.look_of(len(given), SIDE, 'site', edges=len(given) <= MOST_EDGES, fit='letterbox')
     return _shared.shared('cpu', None, None).render(given, look, None).rgba
 
 
