@@ -258,7 +258,7 @@ def scenes(islands):
     yield Scene("random:60", *size, "--edges", *smooth, "--labels")
     yield Scene("random:40", *size, *smooth, "--no-fill", "--periodic", "xy")
     yield Scene("random:60", "--domain", islands, "--edges", *smooth, "--size", "300x200", domain=box)
-    yield Scene("random:60", *size, "--color", photograph(), "--edges", "--edge-width", "3", "--labels", "--dual")
+    yield Scene("random:60", *size, "--color", photograph(), "--edges", "--show-sites")
     yield Scene("random:60", "--domain", islands, *smooth, "--color", photograph(), "--size", "300x200", domain=box)
     colored = ["--edges", "--edge-color", "red", "--edge-width", "3", "--size", "300x200"]
     yield Scene("random:60", "--domain", islands, *colored, "--background", "#2040a080", domain=box)

@@ -65,7 +65,7 @@ image = Image.open(sys.argv[1]).convert("RGBA")
 for place in sys.argv[2:]:
     at, wanted = place.split("=")
     got = image.getpixel(tuple(int(n) for n in at.split(",")))
-    assert got == tuple(int(n) for n in wanted.split(",")), (place, got)
+    assert all(abs(a - int(b)) <= 1 for a, b in zip(got, wanted.split(","))), (place, got)
 E
 printf 'x,y\n0.25,0.5\n0.75,0.5\n' >in/two.csv
 for backend in $("$vorpipe" devices --json | grep -o '"backend": "[a-z-]*"' | cut -d'"' -f4 | sort -u); do
@@ -100,7 +100,7 @@ open("in/half.jpg", "wb").write(data[: len(data) // 2])
 open("in/none.jpg", "wb").write(b"GIF89a")
 open("in/empty.jpg", "wb").write(b"")
 E
-glass="--sites in/two.csv --domain 0,0,1,1 --size 40x20 --fit stretch"
+glass="--sites in/two.csv --domain 0,0.25,1,0.75 --size 40x20 --fit stretch"
 for kind in halves.png halves.jpg; do
   succeeds "colors of $kind" render --backend cpu $glass --color in/$kind -o out/glass.png --stats out/glass.json
   /usr/bin/python3 in/pixels.py out/glass.png 5,10=200,40,40,255 35,10=20,60,180,255 2>log/err || fail "the colors of $kind"
@@ -108,7 +108,7 @@ for kind in halves.png halves.jpg; do
 done
 succeeds "the other half" render --backend cpu $glass --color in/turned.jpeg -o out/glass.png
 /usr/bin/python3 in/pixels.py out/glass.png 5,10=20,60,180,255 35,10=200,40,40,255 2>log/err || fail "the orientation is not honoured"
-succeeds "beside it" render --backend cpu $glass --color in/halves.png --color-box 0,0,0.5,1 -o out/glass.png --quiet
+succeeds "beside it" render --backend cpu $glass --color in/halves.png --color-box 0,0.25,0.5,0.75 -o out/glass.png --quiet
 /usr/bin/python3 in/pixels.py out/glass.png 35,10=255,255,255,255 2>log/err || fail "cells beyond a photograph are not white"
 # Red and blue in equal parts: the mean of their light.
 /usr/bin/python3 in/pixels.py out/glass.png 5,10=147,51,134,255 2>log/err || fail "the mean is not that of light"
@@ -144,7 +144,7 @@ info = subprocess.run(["pdfinfo", name + ".pdf"], capture_output=True, text=True
 size = [float(n) for n in re.search(r"Page size: +([0-9.]+) x ([0-9.]+) pts", info).groups()]
 assert all(abs(points - mm * 72 / 25.4) < 0.01 for points, mm in zip(size, (420, 594))), size
 edges = next(group for group in root if group.get("id") == "edges")
-print(round(float(edges.get("stroke-width")) / image.size[0] * 420, 4))
+print(round(float(edges.get("stroke-width")) / image.size[0] * 420, 3))
 E
 width=$(/usr/bin/python3 in/paper.py out/poster 96 2>log/err) || fail "the poster has another size"
 succeeds "it again, from its figures" rerun out/poster.json

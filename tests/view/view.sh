@@ -232,6 +232,56 @@ cases=$((cases + 1))
 run 0 view --sites random:50 --relax --window opengl --backend cpu --size 64x48 --frames 3 --screenshot relaxed.png
 [ -s relaxed.png ] || fail "there is no screenshot"
 
+# The panel ends at 294 pixels; of nine squares the pointer is in the middle one, whose label is on its right.
+name="the cell under the pointer"
+cases=$((cases + 1))
+printf 'move 100 20\nwait 0.5\nscreenshot away.png panel\nmove 560 250\nwait 0.5\nmove 561 250\nwait\nscreenshot over.png panel\nclose\n' >over.txt
+run 0 view --sites square:9 --window opengl --backend cpu --size 900x500 --script over.txt
+"${VORPIPE_TEST_PYTHON:-python3}" - <<'END' 2>log/err || fail "there is no line around it"
+from PIL import Image, ImageChops
+away, over = (Image.open(name).convert("RGB") for name in ("away.png", "over.png"))
+white = [(x, y) for y in range(500) for x in range(300, 900)
+         if over.getpixel((x, y)) > (220, 220, 220) and min(over.getpixel((x, y))) > 220 and min(away.getpixel((x, y))) < 220]
+left, top, right, bottom = (f(p[k] for p in white) for f in (min, max) for k in (0, 1))
+assert 140 < right - left < 170 and 140 < bottom - top < 170, (left, top, right, bottom)
+assert left < 561 < right and top < 250 < bottom
+sides = sum(x - left < 3 for x, _ in white), sum(y - top < 3 for _, y in white)
+assert min(sides) > 130, sides
+END
+
+# As a person begins: what the screen has is what a window of its own shows.
+name="a window without a script"
+cases=$((cases + 1))
+shown() {
+  "${VORPIPE_TEST_PYTHON:-python3}" - "$VORPIPE_TEST_SCREEN" "$@" <<'END' 2>log/err
+import struct, sys
+with open(sys.argv[1], "rb") as file:
+    data = file.read()
+head = struct.unpack(">25I", data[:100])
+begin, width, line = head[0] + 12 * head[19], head[4], head[12]
+left, top, right, bottom = (int(n) for n in sys.argv[2:6])
+rows = [data[begin + y * line + 4 * left : begin + y * line + 4 * right] for y in range(top, bottom)]
+print(len({row[k : k + 3] for row in rows for k in range(0, len(row), 4)}))
+END
+}
+"$vorpipe" view --sites square:4 --window opengl --backend cpu --size 900x500 >log/out 2>log/seen &
+viewer=$!
+colors=0
+for _ in $(seq 100); do
+  colors=$(shown 420 475 780 490) && [ "$colors" -gt 6 ] && break
+  sleep 0.1
+done
+[ "$colors" -gt 6 ] || fail "there is no line of help: $colors colors"
+# Each of four squares has its color; with their sites there are white and black as well.
+[ "$(shown 365 15 835 400)" -ge 6 ] || fail "there are no sites"
+for _ in $(seq 150); do
+  colors=$(shown 420 475 780 490) && [ "$colors" -le 6 ] && break
+  sleep 0.1
+done
+[ "$colors" -le 6 ] || fail "the line of help stays: $colors colors"
+kill $viewer
+wait $viewer 2>/dev/null
+
 # Before there is a window.
 echo jump >wrong.txt
 fails 2 "a script that is wrong" 'wrong.txt:1:1: "jump" is no event' view --script wrong.txt

@@ -183,8 +183,10 @@ Result<Image> decode(const std::string& path, std::string_view bytes) {
   Image image{static_cast<int>(width), static_cast<int>(height), {}, {}};
   image.rgba.resize(width * height);
   std::vector<unsigned char> line(channels * width);
+  // The rows' end frees what the header left.
+  const int orientation = orientationOf(decoder.jpeg);
   if (!decodeRows(decoder, line.data(), image.rgba.data())) return damaged();
-  return turned(std::move(image), orientationOf(decoder.jpeg));
+  return turned(std::move(image), orientation);
 }
 
 }  // namespace
