@@ -116,7 +116,6 @@ vorpipe_fluid_figures figuresOf(const FluidStep& step) {
   figures.diagrams = step.diagrams;
   figures.linear_iterations = step.linear_iterations;
   figures.seconds = step.seconds;
-  figures.velocity_error = step.velocity_error.value_or(std::numeric_limits<double>::quiet_NaN());
   return figures;
 }
 
@@ -300,6 +299,11 @@ vorpipe_code vorpipe_fluid_last(const vorpipe_fluid* fluid, vorpipe_fluid_figure
 
 vorpipe_fluid_end vorpipe_fluid_ended(const vorpipe_fluid* fluid) {
   return fluid == nullptr ? VORPIPE_FLUID_CANCELLED : static_cast<vorpipe_fluid_end>(fluid->fluid.end());
+}
+
+double vorpipe_fluid_velocity_error(const vorpipe_fluid* fluid) {
+  constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
+  return fluid == nullptr ? unknown : fluid->fluid.last().velocity_error.value_or(unknown);
 }
 
 vorpipe_code vorpipe_fluid_report(const vorpipe_fluid* fluid, vorpipe_report* report) {

@@ -663,6 +663,7 @@ class Fluid {
     return figures;
   }
   [[nodiscard]] double time() const { return last().time; }
+  [[nodiscard]] double velocityError() const { return vorpipe_fluid_velocity_error(get()); }
   [[nodiscard]] vorpipe_fluid_end end() const { return vorpipe_fluid_ended(get()); }
   [[nodiscard]] vorpipe_report report() const {
     vorpipe_report report = {};

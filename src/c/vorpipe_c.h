@@ -821,8 +821,7 @@ typedef struct vorpipe_fluid_figures {
   double worst;    /* largest |area - volume| / volume */
   double farthest; /* largest distance of a site to its centroid, in spacings */
   uint64_t diagrams, linear_iterations;
-  double seconds;        /* since it began */
-  double velocity_error; /* of the velocities, relative to the exact ones; NaN where those are not known */
+  double seconds; /* since it began */
 } vorpipe_fluid_figures;
 
 /* Why a fluid ended. */
@@ -883,6 +882,8 @@ VORPIPE_API vorpipe_code vorpipe_fluid_array(const vorpipe_fluid* fluid, vorpipe
 /* The figures of its state. */
 VORPIPE_API vorpipe_code vorpipe_fluid_last(const vorpipe_fluid* fluid, vorpipe_fluid_figures* figures);
 VORPIPE_API vorpipe_fluid_end vorpipe_fluid_ended(const vorpipe_fluid* fluid);
+/* The error of its velocities, relative to the exact ones; NaN where those are not known. */
+VORPIPE_API double vorpipe_fluid_velocity_error(const vorpipe_fluid* fluid);
 /* Of the last diagram. */
 VORPIPE_API vorpipe_code vorpipe_fluid_report(const vorpipe_fluid* fluid, vorpipe_report* report);
 VORPIPE_API const char* vorpipe_fluid_note(const vorpipe_fluid* fluid, size_t index);

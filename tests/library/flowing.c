@@ -113,7 +113,8 @@ static void friction(vorpipe_session* session) {
   DONE(vorpipe_fluid_run(fluid, &run));
   DONE(vorpipe_fluid_last(fluid, &figures));
   PROMISE(fabs(log(start / figures.kinetic) / 0.39478 - 1) < 0.02);
-  PROMISE(figures.velocity_error > 0 && figures.velocity_error < 0.1);
+  PROMISE(vorpipe_fluid_velocity_error(fluid) > 0 && vorpipe_fluid_velocity_error(fluid) < 0.1);
+  PROMISE(isnan(vorpipe_fluid_velocity_error(NULL)));
   vorpipe_fluid_free(fluid);
   options.viscosity = 0;
   options.walls = VORPIPE_WALLS_NO_SLIP;
