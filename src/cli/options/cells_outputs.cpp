@@ -21,12 +21,6 @@ Parsed<CellsTarget> parseCells(std::string_view text) {
 
 Parsed<EdgesTarget> parseEdges(std::string_view text) { return parseNamed<EdgesTarget>(text, edgesFormatOf); }
 
-/// Parses @NAME, an attribute.
-Parsed<std::string> parseAttribute(std::string_view text) {
-  if (text.size() > 1 && text.starts_with('@')) return std::string(text.substr(1));
-  return tl::unexpected(fmt::format("{} is not @NAME, an attribute of the sites", inQuotes(text)));
-}
-
 /// Parses --detail: whether only measures are wanted.
 Parsed<bool> parseDetail(std::string_view text) {
   if (text == "measures" || text == "all") return text == "measures";

@@ -229,6 +229,11 @@ Parsed<std::vector<std::string>> parseBackendList(std::string_view text) {
   return names;
 }
 
+Parsed<std::string> parseAttribute(std::string_view text) {
+  if (text.size() > 1 && text.starts_with('@')) return std::string(text.substr(1));
+  return tl::unexpected(fmt::format("{} is not @NAME, an attribute of the sites", inQuotes(text)));
+}
+
 Parsed<std::string> parseFile(std::string_view text, std::string_view extension) {
   if (text.empty() || text.starts_with('-'))
     return bad(fmt::format("{} is not the name of a file", inQuotes(text)));

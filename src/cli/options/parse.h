@@ -101,6 +101,9 @@ Parsed<std::vector<BackendDevice>> parseBackendDevices(std::string_view text);
 /// empty.
 Parsed<std::string> parseFile(std::string_view text, std::string_view extension);
 
+/// Parses @NAME, an attribute of the sites; returns its name.
+Parsed<std::string> parseAttribute(std::string_view text);
+
 /// The formats of standard input and output, as extensions without the dot; empty if not given.
 struct FormatChoice {
   std::string input, output;

@@ -36,10 +36,9 @@ Parsed<ColormapChoice> parseListedColormap(std::string_view text) {
   return tl::unexpected(fmt::format("{} is a file; list its colors, with commas", inQuotes(text)));
 }
 
-Parsed<std::string> parseAttribute(std::string_view text) {
-  if (text.empty()) return std::string();
-  if (text.starts_with('@') && text.size() > 1) return std::string(text.substr(1));
-  return tl::unexpected(fmt::format("{} is not @NAME, an attribute of the sites", inQuotes(text)));
+/// Without a value, labels are indices.
+Parsed<std::string> parseLabels(std::string_view text) {
+  return text.empty() ? std::string() : parseAttribute(text);
 }
 
 struct ColorChoice {
@@ -242,7 +241,7 @@ void addMarkOptions(Options& options, PictureOptions& picture) {
       // CLI11 has no option that needs one of two others.
       if (row.of[0] != nullptr && row.of[1] == nullptr) option.needs(flags.at(row.of[0]->name));
     } else if (std::string_view(row.name) == labels_row.name) {
-      const Value value = parsedValue("@NAME", parseAttribute, keep_labels, {{"@"}, {}});
+      const Value value = parsedValue("@NAME", parseLabels, keep_labels, {{"@"}, {}});
       flags.emplace(row.name, options.addOptional(flagOf(row), value, row.help));
     } else {
       flags.emplace(row.name, addRow(options, row, picture.render, picture.given));
