@@ -27,7 +27,7 @@ struct Colors {
 };
 
 /// What stands around a picture and in its cells, and the attributes that colors and labels show.
-struct Words {
+struct PictureWords {
   std::string title, legend_title, color, labels;
   bool legend_beside;
   SharedAttributes own;
@@ -43,7 +43,7 @@ PhotographFile photographIn(const std::string& path) {
 using SizeArguments = std::pair<int, std::optional<int>>;
 
 Look lookOf(const std::optional<SizeArguments>& size, const std::optional<std::string>& fit,
-            const Colors& colors, const Words& words, const py::dict& marks, const std::string& search,
+            const Colors& colors, const PictureWords& words, const py::dict& marks, const std::string& search,
             int neighbors, const std::optional<std::array<double, 4>>& view) {
   Look look{};
   if (size && size->second) look.size = PictureSize{size->first, *size->second};
@@ -102,15 +102,15 @@ RenderOptions renderOptionsOf(const Look& look, const Input& input) {
   options.width = size.width;
   options.height = size.height;
   options.fit = look.fit.value_or(usualFit(input));
-  if (const Attribute* const shown = attributeFor(look, input, "color", look.color)) {
-    auto values = valuesOf(*shown);
+  if (const Attribute* const attribute = attributeFor(look, input, "color", look.color)) {
+    auto values = valuesOf(*attribute);
     if (!values) raiseInput("color", values.error().message);
     options.color = ColorBy::value;
     options.values = std::move(*values);
     options.values.title = look.color;
   }
-  if (const Attribute* const shown = attributeFor(look, input, "labels", look.labels)) {
-    options.texts = textsOf(*shown);
+  if (const Attribute* const attribute = attributeFor(look, input, "labels", look.labels)) {
+    options.texts = textsOf(*attribute);
   }
   return options;
 }
@@ -136,10 +136,11 @@ void defineLook(py::module_& module) {
                        bool fill) { return Colors{by, map, own, scale, range, legend, fill}; }),
            py::arg("by"), py::arg("map"), py::arg("own"), py::arg("scale"), py::arg("range"),
            py::arg("legend"), py::arg("fill"));
-  py::class_<Words>(module, "Words", "The texts of a picture, and the attributes that it shows.")
+  py::class_<PictureWords>(module, "Words",
+                           "The texts of a picture, and the attributes that it shows.")
       .def(py::init([](const std::string& title, const std::string& legend_title, const std::string& color,
                        const std::string& labels, bool legend_beside, const SharedAttributes& own) {
-             return Words{title, legend_title, color, labels, legend_beside, own};
+             return PictureWords{title, legend_title, color, labels, legend_beside, own};
            }),
            py::arg("title"), py::arg("legend_title"), py::arg("color"), py::arg("labels"),
            py::arg("legend_beside"), py::arg("own").none(true));

@@ -58,6 +58,7 @@ static void keys(vorpipe_session* session, const vorpipe_input* input) {
   vorpipe_picture_free(picture);
 }
 
+#ifndef HEADER_OF_0_1
 /* Colors by their names. */
 static void colors(vorpipe_session* session, const vorpipe_input* input) {
   vorpipe_render_options options = {sizeof options};
@@ -74,6 +75,7 @@ static void colors(vorpipe_session* session, const vorpipe_input* input) {
   options.edge_color = "reddish";
   REFUSED(VORPIPE_INPUT, "edge_color", vorpipe_render(session, input, &options, &picture));
 }
+#endif
 
 /* What is drawn over cells, and smooth edges of them: ids stay. */
 static void marks(vorpipe_session* session, const vorpipe_input* input) {
@@ -188,7 +190,9 @@ void looks_promises(vorpipe_session* session) {
   DONE(vorpipe_input_read("random:100", 1, &input));
   keys(session, input);
   marks(session, input);
+#ifndef HEADER_OF_0_1
   colors(session, input);
+#endif
   views(session, input);
   shapes(session, input);
   places(session);

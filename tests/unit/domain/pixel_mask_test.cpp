@@ -81,14 +81,14 @@ TEST(OutlineMask, edgesAndDotsStayInside) {
   options.edges = true;
   options.show_sites = true;
   const Rendering rendering = drawn(generate(Pattern::random, 200, 3), options);
-  std::size_t dark = 0;
+  std::size_t edge_pixels = 0;
   for (std::size_t pixel = 0; pixel < rendering.image.ids.size(); ++pixel) {
     if (rendering.image.ids[pixel] == no_site) {
       EXPECT_EQ(rendering.image.rgba[pixel], 0u);
     }
-    dark += rendering.image.rgba[pixel] == 0xFF181818u;
+    edge_pixels += rendering.image.rgba[pixel] == 0xFF181818u;
   }
-  EXPECT_GT(dark, 500U);
+  EXPECT_GT(edge_pixels, 500U);
 }
 
 TEST(OutlineMask, statusesAreThoseOfTheClippedCells) {

@@ -17,7 +17,7 @@ namespace {
 using Pairs = std::vector<std::pair<std::int64_t, std::int64_t>>;
 
 /// Cells with these edges, of which some may be there twice, and with one wall each.
-Diagram cellsOf(std::size_t count, const Pairs& edges) {
+Diagram linkedCells(std::size_t count, const Pairs& edges) {
   std::vector<std::vector<std::int64_t>> neighbors(count, {-1});
   for (const auto& [a, b] : edges) {
     neighbors[static_cast<std::size_t>(a)].push_back(b);
@@ -34,7 +34,7 @@ Diagram cellsOf(std::size_t count, const Pairs& edges) {
 }
 
 std::size_t colorsOf(std::size_t count, const Pairs& edges) {
-  const auto colors = distinctColors(cellsOf(count, edges), 7);
+  const auto colors = distinctColors(linkedCells(count, edges), 7);
   EXPECT_TRUE(colors);
   for (const auto& [a, b] : edges) {
     if (a == b) continue;
@@ -70,7 +70,7 @@ TEST(DistinctColors, OfAPlaneAreAtMostSix) {
 }
 
 TEST(DistinctColors, TooFewAreRefused) {
-  const auto colors = distinctColors(cellsOf(3, {{0, 1}, {1, 2}, {2, 0}}), 2);
+  const auto colors = distinctColors(linkedCells(3, {{0, 1}, {1, 2}, {2, 0}}), 2);
   ASSERT_FALSE(colors);
   EXPECT_NE(colors.error().message.find("take 3, and there are 2"), std::string::npos)
       << colors.error().message;
