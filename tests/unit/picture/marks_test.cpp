@@ -72,7 +72,7 @@ TEST(Antialias, EdgesAreAsWideAsTheyAreAskedFor) {
     const Rendering picture = drawn(sites, options);
     double dark = 0;
     for (std::size_t column = 0; column < 40; ++column) {
-      dark += (255 - green(picture.image.rgba[40 + column])) / (255 - green(edge_color));
+      dark += (255 - green(picture.image.rgba[40 + column])) / (255 - green(edgeColor(options)));
     }
     EXPECT_NEAR(dark, width, 1.0 / 8 + 0.02) << width;
   }
