@@ -33,15 +33,15 @@ std::vector<Position> borderAround(const Image& image, int row, int column) {
   const int first_x = column, first_y = row + 1;
   int x = first_x, y = first_y;
   std::size_t way = 0, before = border_steps.size();
+  bool has_end = false;  // of the straight part
   std::vector<Position> line;
   do {
     const Step step = border_steps[way];
     // Of a straight part only the ends count.
-    const bool straight = way == before && line.size() > 1;
-    if (straight) line.pop_back();
-    const Position middle{x + step.x / 2.0, y + step.y / 2.0};
-    if (way != before) line.push_back(middle);
-    line.push_back(middle);
+    const bool goes_on = way == before;
+    if (goes_on && has_end) line.pop_back();
+    line.push_back({x + step.x / 2.0, y + step.y / 2.0});
+    has_end = goes_on;
     before = way;
     x += step.x;
     y += step.y;

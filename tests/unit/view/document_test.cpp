@@ -296,6 +296,7 @@ TEST(Keys, ChangeSettings) {
   EXPECT_TRUE(settings.picture.edges && settings.help);
   EXPECT_EQ(settings.picture.color, ColorBy::area);
   EXPECT_EQ(settings.motion, Motion::runs);
+  press({"m"});
   const std::string first = settings.picture.colormap;
   for (std::size_t i = 0; i < colormaps().size(); ++i) press({"m"});
   EXPECT_EQ(settings.picture.colormap, first);

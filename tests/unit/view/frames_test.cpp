@@ -192,7 +192,8 @@ TEST(Painter, RelaxesStepByStep) {
 
 TEST(Painter, MakesStepsForAboutAsLongAsItDrew) {
   Painter painter;
-  FrameRequest request = requestOf(1, randomSites(10));
+  // Ten sites would be at rest before the time is over.
+  FrameRequest request = requestOf(1, randomSites(1000));
   request.picture.width = request.picture.height = 1500;
   ASSERT_TRUE(painter.paint(request, never).frame);
   request.motion = Motion::runs;

@@ -22,7 +22,7 @@ using ::testing::HasSubstr;
 constexpr auto unknown_kind =
     " unknown kind of file; known are .csv, .tsv, .xyz, .txt, .npy, .geojson, .json, .geojsonl, .geojsons, "
     ".ndjson, "
-    ".wkt, .gpkg";
+    ".wkt, .gpkg, .shp";
 
 class SitesFile : public InTemporaryDirectory {
  protected:
