@@ -136,8 +136,7 @@ void defineLook(py::module_& module) {
                        bool fill) { return Colors{by, map, own, scale, range, legend, fill}; }),
            py::arg("by"), py::arg("map"), py::arg("own"), py::arg("scale"), py::arg("range"),
            py::arg("legend"), py::arg("fill"));
-  py::class_<PictureWords>(module, "Words",
-                           "The texts of a picture, and the attributes that it shows.")
+  py::class_<PictureWords>(module, "Words", "The texts of a picture, and the attributes that it shows.")
       .def(py::init([](const std::string& title, const std::string& legend_title, const std::string& color,
                        const std::string& labels, bool legend_beside, const SharedAttributes& own) {
              return PictureWords{title, legend_title, color, labels, legend_beside, own};

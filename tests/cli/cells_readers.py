@@ -83,6 +83,7 @@ def python_csv(cells):
         rows = list(csv.DictReader(file))
     header = "site,x,y,weight,status,area,perimeter,centroid_x,centroid_y,vertices,neighbors"
     header += ",neighbor_shifts" * bool(cells.periodic) + ",rings" * (cells.outline is not None)
+    header += ",owner" * bool((np.array(cells.owners) != np.arange(cells.count)).any())
     assert list(rows[0]) == header.split(","), rows[0]
 
     def column(name):

@@ -26,7 +26,7 @@ cells --sites random:9 --domain -1,-1,1,1 --wieghts w.txt|unknown option --wiegh
 cells -s random:9|unknown option -s; see vorpipe cells --help
 diff a.npy b.npy c.npy --wat|unknown option --wat; see vorpipe diff --help
 END
-refuses "a color that was meant" '"aera" is not one of site, area, neighbors, weight; did you mean area?' --sites random:9 --color aera
+refuses "a color that was meant" '"aera" is not one of site, area, neighbors, weight, distinct; did you mean area?' --sites random:9 --color aera
 refuses "a backend that was meant" 'did you mean vulkan-compute?' --sites random:9 --backend vulkan-comp
 refuses "a colormap that was meant" 'did you mean viridis?' --sites random:9 --colormap Virids
 fails 2 "an option twice" "--size: is given 2 times; once is enough" render --sites random:9 --size 4 --size=5 -o out/old.png
@@ -103,8 +103,8 @@ cells --backend cpu --sites in/own/s.csv -o out/old.csv -o in/own/../own/hard.cs
 cells --backend cpu --sites in/own/link.csv -o in/own/s.csv
 cells --backend cpu --sites in/own/s.csv -o in/own/link.csv
 cells --backend cpu --sites in/own/s.csv --weights in/own/w.csv -o in/own/w.csv
-cells --backend cpu --sites in/own/s.csv --domain in/own/land.geojson -o in/own/land.geojson
-render --backend cpu --sites in/own/s.csv --domain in/own/land.geojson -o in/own/d.png --stats in/own/land.geojson
+cells --backend cpu --quiet --sites in/own/s.csv --domain in/own/land.geojson -o in/own/land.geojson
+render --backend cpu --quiet --sites in/own/s.csv --domain in/own/land.geojson -o in/own/d.png --stats in/own/land.geojson
 relax --backend cpu --sites in/own/s.csv -o in/own/s.csv
 fluid --backend cpu --case in/own/f.npz --steps 1 --checkpoint in/own/f.npz
 relax --backend cpu --sites random:9 --density in/own/d.png --picture in/own/d.png

@@ -60,7 +60,7 @@ def names_are_colors(maps):
     assert png[75, 100].tolist() == png[225, 300].tolist() == [0xFE, 0xDC, 0xBA], "b has not the second"
     assert png[225, 100].tolist() == MISSING
     with open("p.svg", encoding="utf-8") as file:
-        colors = re.findall(r'<path fill="(#\w+)"', file.read())
+        colors = re.findall(r'<path [^>]*fill="(#\w+)"', file.read())
     assert colors == ["#fedcba", "#123456", "#d2d2d2", "#fedcba"], colors
     with open("many.csv", "w", encoding="utf-8") as file:
         file.write("x,y,kind\n" + "".join(f"{i},{j},{'k' if j else 'rare'}{i}\n" for i in range(23) for j in range(4)))

@@ -167,7 +167,7 @@ def test_points_adopt_the_system_of_their_outline(tmp_path):
             continue
         frame.to_file(tmp_path / name)
         diagram = vorpipe.cells(points, domain=tmp_path / name)
-        assert diagram.crs == 'EPSG:25832' and diagram.area.tolist() == [4e6, 4e6]
+        assert diagram.crs == 'EPSG:25832' and diagram.areas.tolist() == [4e6, 4e6]
         diagram.save(tmp_path / 'cells.gpkg')
         cells = geopandas.read_file(tmp_path / 'cells.gpkg')
         assert cells.crs.to_epsg() == 25832 and cells['area_km2'].tolist() == [4, 4]

@@ -297,7 +297,9 @@ std::string dotObject(const VectorPicture& picture) {
 /// Numbers of the page, its contents, and the objects after them.
 constexpr int page_object = 3, contents_object = 4, length_object = 5, dot_object = 6, font_object = 7;
 
-bool hasText(const VectorPicture& picture) { return picture.legend() || !picture.labels().empty(); }
+bool hasText(const VectorPicture& picture) {
+  return picture.legend() || !picture.labels().empty() || !picture.sheet().legend.texts.empty();
+}
 
 std::string pageObject(const VectorPicture& picture, const Points& points) {
   std::set<std::uint32_t> opacities;
