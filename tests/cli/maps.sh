@@ -304,8 +304,8 @@ assert list(rows[name].drop_duplicates()) == list(features[name]), "the order of
 # GEOS clips the cells of an own diagram to the features.
 around = shapely.geometry.box(*features.total_bounds).buffer(whole.sum() ** 0.5 * 20)
 places = [shapely.geometry.Point(at) for at in zip(points.x, points.y)]
-cells = geopandas.GeoSeries(shapely.ops.voronoi_diagram(shapely.geometry.MultiPoint(places), around).geoms)
-cells = [cells[cells.sindex.query(place, predicate="within")[0]] for place in places]
+cells = list(shapely.ops.voronoi_diagram(shapely.geometry.MultiPoint(places), around).geoms)
+cells = [next(cell for cell in cells if cell.contains(place)) for place in places]
 areas = {(feature, site): area for feature, site, area in zip(rows[name], rows.site, rows.area)}
 for feature, shape in zip(features[name], features.geometry):
     for site, cell in enumerate(cells):
