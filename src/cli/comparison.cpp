@@ -134,7 +134,11 @@ Result<PairDiff> compareWith(const Reference& reference, const Comparison& compa
       colors ? idsOfColors(reference.image, drawn) : std::vector<std::uint32_t>{};
   const std::span<const std::uint32_t> ids = colors ? found : reference.image.ids;
   VORPIPE_VAR(pixels, diffIds(drawn.ids, ids, input.sites, options));
-  return PairDiff{run, comparison.runs.size(), std::move(pixels)};
+  Result<PairDiff> pair{tl::in_place};
+  pair->a = run;
+  pair->b = comparison.runs.size();
+  pair->pixels = std::move(pixels);
+  return pair;
 }
 
 Json referenceJson(const std::optional<Reference>& reference) {
