@@ -98,7 +98,8 @@ class DeviceSearch {
     return {};
   }
 
-  /// Clips with the most room whatever the capacity, and converts positions in lists to sites.
+  /// Clips cells by lists of `candidates`, always with the large capacity. The neighbors found are positions
+  /// in these lists; it converts them to sites.
   Result<void> byLists(const Candidates& candidates, std::span<CellStatus> status) {
     const Stopwatch watch;
     packBatch(input_.sites, candidates, 0, candidates.site.size(), input_.threads, batch_);

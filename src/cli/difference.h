@@ -30,7 +30,8 @@ void markDifferences(Picture& picture, std::span<const PixelMatch> pixels);
 /// Copies `from` into `to` with its top left corner at (row, column), where it must fit.
 void paste(Picture& to, const Picture& from, int row, int column);
 
-/// Error (input): ids name sites that there are not, so their ties cannot be told. `path` is their file.
+/// Error (input): an id of `image`, which was read from `path`, is not the index of one of `sites`: ties
+/// could not be told from errors.
 Result<void> checkIds(const std::string& path, const Image& image, const Sites& sites);
 
 /// Describes a place: "row 3, column 4: sites 7 and 9, 1.25 px from their bisector".

@@ -11,11 +11,13 @@ namespace {
 /// Pixels of one unit of the font: letters are 7 units high.
 int unitFor(int width) { return std::max(1, width / 500); }
 
-/// Returns the text as far as it has room in `width` pixels, with dots where it was cut.
+/// Shortens a text until it is at most `width` pixels wide; three dots replace its end.
 LegendText fitted(std::string text, double width, double height) {
   LegendText fits{0, 0, height, Anchor::start, std::move(text)};
   std::string kept = fits.text;
   while (widthOf(fits) > width && !kept.empty()) {
+    // Whole letters: in UTF-8 these bytes continue one.
+    while ((static_cast<unsigned char>(kept.back()) & 0xC0u) == 0x80u && kept.size() > 1) kept.pop_back();
     kept.pop_back();
     fits.text = kept + "...";
   }

@@ -170,7 +170,8 @@ Result<RenderOptions> pictureBeside(const std::optional<Reference>& reference, c
     return inputError(fmt::format("--reference: {} is {}x{}, with this --size pictures are {}x{}",
                                   reference->path, width, height, usual.width, usual.height));
   }
-  // A picture drawn with `--size N` fills its sides, where `--size WxH` may leave some room.
+  // The reference may come from `--size N`, whose picture has the domain's aspect, where `--size WxH` may add
+  // bars.
   picture.size.longer_side = std::max(width, height);
   VORPIPE_VAR(longer, pictureOf(picture, command.input, input));
   if (fits(longer)) return longer;

@@ -35,7 +35,7 @@ std::string escaped(char c) {
   }
 }
 
-/// Returns text that a user types, as a man page has it.
+/// Escapes text for a man page so that a user can copy it: quotes and dashes stay as they are typed.
 std::string literal(std::string_view text) {
   std::string roff;
   for (const char c : text) {

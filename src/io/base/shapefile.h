@@ -14,7 +14,7 @@ inline constexpr std::string_view shapefile_extension = ".shp";
 /// their encoding and its coordinate system, from the files beside it.
 class ConvertedShapefile {
  public:
-  /// Errors (input): ogr2ogr is not installed, or refuses the file; (device): there is no room for the copy.
+  /// Errors (input): ogr2ogr is not installed, or refuses the file; (device): the disk is full.
   static Result<ConvertedShapefile> of(const std::string& path);
 
   ConvertedShapefile(ConvertedShapefile&& other) noexcept;

@@ -179,7 +179,7 @@ Result<const EdgesFormat*> edgesFormatOf(const std::string& path) {
 
 LinesOutput edgesOf(const Diagram& diagram, const Topology& topology, const CoordinateSystem& system) {
   assert(topology.edge_of.size() == diagram.vertices.size());
-  // In a periodic domain an edge lies where the cell of `site_a` has it.
+  // In a periodic domain the cells of an edge may have it at two places; the line is at that of `site_a`.
   const auto line = [&diagram, &topology, system](std::size_t edge) {
     const std::uint64_t entry = topology.edge_entry[edge];
     const auto [site_a, site_b] = topology.edge_cells[edge];

@@ -69,9 +69,9 @@ Result<void> compareSystems(const DomainSettings& settings, PlacedSites& placed,
                                 hasName(of_sites) ? nameOf(of_sites) : "EPSG:4326"));
 }
 
-/// Gives sites without a system that of the outline. Where it only says more than is known of them, as which
-/// degrees they are, and with patterns and arrays, which never say one, nobody needs a note. A projection
-/// takes the outline's degrees by itself.
+/// Gives sites without a system that of the outline, unless they are to be projected: projectSites() does it
+/// then. A note says so for files whose kind of coordinates was unknown; patterns and arrays never name a
+/// system, and degrees that become those of a known datum surprise nobody.
 void adoptSystem(const DomainSettings& settings, PlacedSites& placed, const DomainWords& words) {
   const CoordinateSystem& its = settings.outline_system;
   const auto kind = placed.system.kind;
