@@ -110,6 +110,16 @@ tryArchive() {
   tar -C "$new/opt" -xJf "$built"/vorpipe-*.tar.xz && runOf "$(cd "$new" && printf '/%s' opt/vorpipe-*/bin/vorpipe)"
 }
 
+# Of Debian the wheel takes Python and a driver, which brings Vulkan's loader.
+tryWheel() {
+  cp "$built"/vorpipe-*.whl "$root/tests/python/installed.py" "$new/tmp/" &&
+    inRoot "$new" sh -ec 'DEBIAN_FRONTEND=noninteractive apt-get -q install -y --no-install-recommends python3-venv mesa-vulkan-drivers
+      python3 -m venv /tmp/venv
+      /tmp/venv/bin/pip install --no-index /tmp/vorpipe-*.whl
+      cd /tmp
+      VK_DRIVER_FILES=$(echo /usr/share/vulkan/icd.d/lvp*) /tmp/venv/bin/python installed.py vulkan-compute vulkan-geometry'
+}
+
 tryDeb() {
   cp "$built"/*.deb "$new/tmp/" &&
     inRoot "$new" sh -ec 'DEBIAN_FRONTEND=noninteractive apt-get -q install -y --no-install-recommends /tmp/*.deb' &&
@@ -124,6 +134,7 @@ for release in "$@"; do
   step "$release" test inRoot "$to" /vorpipe/test
   step "$release" packages inRoot "$to" /vorpipe/src/package/make || continue
   step "$release" archive tryArchive
+  step "$release" wheel tryWheel
   step "$release" deb tryDeb
 done
 exit $((failures > 0))

@@ -28,6 +28,9 @@ PYBIND11_OF_PYTHON = {12: (2, 11), 13: (2, 13), 14: (3, 0)}  # the first that kn
 PYBIND11_OF_NUMPY_2 = (2, 12)
 QUESTION = '''import os, sys, sysconfig
 print(*sys.version_info[:2], os.path.exists(os.path.join(sysconfig.get_path("include"), "Python.h")))'''
+# Of NumPy, what only its tests, compilers and those who build with it use.
+NOT_COPIED = re.compile(r'(.*/)?(tests|f2py|distutils|doc|array_api|_pyinstaller)/.*|(.*/)?(setup|conftest)\.py|'
+                        r'.*/(_(?!multiarray)\w*_tests|_simd)\.\w.*\.so')
 
 
 def output(*command):
@@ -64,8 +67,23 @@ def version_of_pybind11(build):
     return tuple(int(re.search(rf'define PYBIND11_VERSION_{part} (\d+)', header)[1]) for part in ('MAJOR', 'MINOR'))
 
 
+def copy_numpy(python, package):
+    """Puts a Python's NumPy into the package; returns where it was, None where it is of no package of Debian."""
+    told = subprocess.run([python, '-I', '-c', 'import numpy; print(numpy.__file__)'], capture_output=True, text=True)
+    place = pathlib.Path(told.stdout.strip())
+    if told.returncode or subprocess.run(['dpkg-query', '-S', place], capture_output=True).returncode:
+        return None
+    for file in [*place.parent.rglob('*.py'), *place.parent.rglob('*.so')]:
+        name = file.relative_to(place.parent)
+        if not NOT_COPIED.fullmatch(str(name)):
+            to = package / 'vorpipe/_copies/numpy' / name
+            to.parent.mkdir(parents=True, exist_ok=True)
+            shutil.copy(file, to)
+    return place
+
+
 def dependencies(pybind11):
-    """What the project depends on, with NumPy as new as this pybind11 knows it."""
+    """What a wheel without NumPy depends on: one as new as this pybind11 knows it."""
     return [of + ',<2' if of.startswith('numpy') and pybind11 < PYBIND11_OF_NUMPY_2 else of
             for of in wheel.project()['dependencies']]
 
@@ -84,9 +102,9 @@ def libraries_of(module):
 
 
 def bundle(package):
-    """Puts what the module needs into the package; returns the libraries as the system has them, by name."""
-    module, = package.glob('vorpipe/_vorpipe*.so')
-    libraries = libraries_of(module)
+    """Puts what its modules need into the package; returns the libraries as the system has them, by name."""
+    modules = sorted(package.rglob('*.so'))
+    libraries = {name: path for module in modules for name, path in libraries_of(module).items()}
     folder = package / 'vorpipe.libs'
     folder.mkdir()
     own = {}
@@ -95,13 +113,15 @@ def bundle(package):
         own[name] = f'{stem}-{hashlib.sha256(path.read_bytes()).hexdigest()[:8]}{dot}{rest}'
         shutil.copy(path, folder / own[name])
         (folder / own[name]).chmod(0o755)
-    for file in [module, *(folder / name for name in own.values())]:
+    for file in [*modules, *(folder / name for name in own.values())]:
         # One change at a time: patchelf 0.14 loses some of several.
-        for name in set(output('patchelf', '--print-needed', file).split()) & set(own):
+        needed = [name for name in output('patchelf', '--print-needed', file).split() if name in own]
+        for name in needed:
             output('patchelf', '--replace-needed', name, own[name], file)
-        if file != module:
+        if file.parent == folder:
             output('patchelf', '--set-soname', file.name, file)
-        output('patchelf', '--set-rpath', '$ORIGIN/../vorpipe.libs' if file == module else '$ORIGIN', file)
+        if needed:
+            output('patchelf', '--set-rpath', f'$ORIGIN/{os.path.relpath(folder, file.parent)}', file)
     return libraries
 
 
@@ -120,9 +140,9 @@ def glibc_of(files):
     return newest
 
 
-def licenses(libraries):
-    """What the licenses of the bundled libraries, and of those whose headers are compiled in, are called in a wheel."""
-    packages = {output('dpkg-query', '-S', f'*/{path.resolve().name}').split(':')[0] for path in libraries.values()}
+def licenses(files):
+    """What the licenses of files of Debian, and of libraries whose headers are compiled in, are called in a wheel."""
+    packages = {output('dpkg-query', '-S', file).split(':')[0] for file in files}
     for row in (wheel.ROOT / 'third_party/README.md').read_text().splitlines():
         cells = [cell.strip() for cell in row.strip('|').split('|')]
         if len(cells) == 9 and cells[1] in ('build', 'python'):
@@ -139,11 +159,16 @@ def licenses(libraries):
 
 
 def make(package, python, pybind11, into):
-    """Makes a wheel of an installed package, whose folder gets the libraries; returns the wheel's name."""
+    """Makes a wheel of an installed package, whose folder gets the libraries and NumPy; returns the wheel's name."""
+    version = ''.join(output(python, '-c', QUESTION).split()[:2])
+    numpy = copy_numpy(python, package)
+    if not numpy:
+        print(f'release_wheels: {python} has no NumPy of Debian; its wheel asks for {", ".join(dependencies(pybind11))}')
     libraries = bundle(package)
     glibc = glibc_of(package.rglob('*.so*'))
-    tag = f'cp{python[0]}{python[1]}-cp{python[0]}{python[1]}-manylinux_2_{glibc}_{platform.machine()}'
-    about = wheel.metadata_files(dependencies(pybind11), tag) | licenses(libraries)
+    tag = f'cp{version}-cp{version}-manylinux_2_{glibc}_{platform.machine()}'
+    files = [f'*/{path.resolve().name}' for path in libraries.values()] + ([numpy] if numpy else [])
+    about = wheel.metadata_files([] if numpy else dependencies(pybind11), tag) | licenses(files)
     return wheel.write_wheel(into, wheel.files_of(package), about, tag)
 
 
@@ -158,7 +183,7 @@ def build(python, version, folder, into):
     wheel.run('cmake', '--build', str(folder), '--target', '_vorpipe')
     with tempfile.TemporaryDirectory() as installed:
         wheel.run('cmake', '--install', str(folder), '--component', 'python', '--strip', '--prefix', installed)
-        return make(pathlib.Path(installed), version, pybind11, into)
+        return make(pathlib.Path(installed), python, pybind11, into)
 
 
 def main():

@@ -97,7 +97,8 @@ def metadata(dependencies=None):
              f'Summary: {table["description"]}', f'Keywords: {",".join(table["keywords"])}', f'License: {table["license"]}',
              f'Requires-Python: {table["requires-python"]}']
     lines += [f'Classifier: {classifier}' for classifier in table['classifiers']]
-    lines += [f'Requires-Dist: {dependency}' for dependency in dependencies or table['dependencies']]
+    lines += [f'Requires-Dist: {dependency}'
+              for dependency in (table['dependencies'] if dependencies is None else dependencies)]
     lines += ['Description-Content-Type: text/markdown', '', (ROOT / table['readme']).read_text()]
     return '\n'.join(lines).encode()
 

@@ -7,6 +7,7 @@ to where cells are alike; `transport` finds the weights that give cells their ma
 points of a file, with all that it says of them. `Session` keeps a device for many runs. `vorpipe.compat` has
 scipy.spatial's Voronoi and Delaunay. Lengths are in the points' own units, areas in their squares.
 """
+from . import _numpy, _vorpipe  # first: NumPy for all others, and one that the module knows
 from ._cell import BorderPart, Cell
 from ._diagram import Diagram, Status, Wall
 from ._errors import Cancelled, CheckError, DeviceError, Error, InputError

@@ -10,11 +10,14 @@ import sys
 import tarfile
 import zipfile
 
+import numpy
 import pytest
 
 import vorpipe
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
+BUILD = pathlib.Path(vorpipe.__file__).parents[2]
+INSTALLED = ROOT / 'tests/python/installed.py'
 OF_THE_SYSTEM = r'(ld-linux|lib(c|m|dl|rt|pthread|stdc\+\+|gcc_s)\.so)'  # of PEP 600's list, what is in use here
 
 
@@ -26,21 +29,24 @@ def backend(monkeypatch):
 
 
 @pytest.fixture(scope='module')
-def release_wheel(tmp_path_factory):
+def release():
+    with pytest.MonkeyPatch.context() as patch:
+        patch.syspath_prepend(ROOT / 'python/build')
+        import release_wheels
+    return release_wheels
+
+
+@pytest.fixture(scope='module')
+def release_wheel(release, tmp_path_factory):
     """A wheel as of a release, of the module that is tested."""
     for program in ('patchelf', 'readelf'):
         if not shutil.which(program):
             pytest.skip(f'there is no {program}')
-    with pytest.MonkeyPatch.context() as patch:
-        patch.syspath_prepend(ROOT / 'python/build')
-        import release_wheels
     installed, into = tmp_path_factory.mktemp('installed'), tmp_path_factory.mktemp('wheels')
-    build = pathlib.Path(vorpipe.__file__).parents[2]
-    subprocess.run(['cmake', '--install', build, '--component', 'python', '--strip', '--prefix', installed],
+    subprocess.run(['cmake', '--install', BUILD, '--component', 'python', '--strip', '--prefix', installed],
                    check=True, capture_output=True)
     module, = installed.rglob('_vorpipe*.so')
-    version = release_wheels.version_of_pybind11(build)
-    return into / release_wheels.make(module.parents[1], sys.version_info[:2], version, into)
+    return into / release.make(module.parents[1], sys.executable, release.version_of_pybind11(BUILD), into)
 
 
 def test_the_version_is_that_of_cmake(backend):
@@ -85,44 +91,63 @@ def test_a_wheel_of_a_release_holds_what_it_needs(release_wheel, tmp_path):
             assert re.search(r'SONAME.*\[(.*)\]', about)[1] == file.name
         assert all(int(minor) <= int(glibc[1]) for minor in re.findall(r'Name: GLIBC_2\.(\d+)', about)), file
     licenses = {file.name for file in next(tmp_path.glob('*.dist-info/licenses')).iterdir()}
-    assert {'LGPL-2.1', 'pybind11-dev.copyright'} <= licenses
+    assert {'LGPL-2.1', 'pybind11-dev.copyright', 'python3-numpy.copyright', 'liblapack3.copyright'} <= licenses
     assert any(re.match(r'libgeos\d.*\.copyright', name) for name in licenses)
+    assert 'Requires-Dist' not in next(tmp_path.glob('*.dist-info/METADATA')).read_text()
+    assert not {'tests', 'f2py', 'distutils', 'include'} & {folder.name for folder in tmp_path.rglob('*') if folder.is_dir()}
 
 
-def test_a_wheel_of_a_release_computes_in_a_new_environment(release_wheel, tmp_path):
-    """Of the system NumPy alone, since no index is asked. What is loaded besides is the wheel's and the C library's."""
-    made = subprocess.run([sys.executable, '-m', 'venv', '--system-site-packages', '--without-pip', tmp_path / 'venv'])
-    python = tmp_path / 'venv/bin/python'
-    pip = subprocess.run([python, '-m', 'pip', '--version'], capture_output=True)
-    if made.returncode or pip.returncode:
+@pytest.fixture(scope='module')
+def environment(release_wheel, tmp_path_factory):
+    """A virtual environment of Python alone, into which the wheel was installed, without an index."""
+    home = tmp_path_factory.mktemp('venv')
+    python = home / 'bin/python'
+    made = subprocess.run([sys.executable, '-m', 'venv', '--without-pip', home])
+    pip = [sys.executable, '-m', 'pip', '--python', python]
+    if made.returncode or subprocess.run([*pip, '--version'], capture_output=True).returncode:
         pytest.skip('there is no venv, or no pip')
-    subprocess.run([python, '-m', 'pip', 'install', '--no-index', '-q', release_wheel], check=True)
-    program = '''
-import ctypes, json, numpy, numpy.linalg, pathlib
-def loaded(): return {line.split()[-1] for line in open("/proc/self/maps") if ".so" in line}
-before = loaded()
-import vorpipe
-points = numpy.random.default_rng(5).random((500, 2))
-cells = vorpipe.cells(points, domain=(0, 0, 1, 1), backend="cpu")
-vorpipe.check(cells)
-libraries = sorted(loaded() - before)
-try:
-    device = vorpipe.compare(cells, vorpipe.cells(points, domain=(0, 0, 1, 1), backend="vulkan-compute")).agree
-except vorpipe.DeviceError as error:
-    device = str(error)
-print(json.dumps([vorpipe.__file__, libraries, device]))
-'''
-    environment = {name: value for name, value in os.environ.items() if not name.startswith('PYTHON')}
-    told = subprocess.run([python, '-c', program], check=True, capture_output=True, text=True, env=environment,
-                          cwd=tmp_path)
-    package, libraries, device = json.loads(told.stdout)
-    home = str(tmp_path / 'venv')
-    assert package.startswith(home)
-    assert any('vorpipe.libs' in library for library in libraries)
-    outside = [library for library in libraries if not library.startswith(home)]
+    subprocess.run([*pip, 'install', '--no-index', '-q', release_wheel], check=True)
+    return home
+
+
+def told_by(environment, *arguments):
+    variables = {name: value for name, value in os.environ.items() if not name.startswith('PYTHON')}
+    return subprocess.run([environment / 'bin/python', *arguments], capture_output=True, text=True, env=variables,
+                          cwd=environment)
+
+
+def test_a_wheel_of_a_release_computes_in_a_new_environment(environment):
+    """Of the system nothing is asked but Python and drivers. What is loaded is the wheel's and the C library's."""
+    with_driver = {info.backend for info in vorpipe.devices() if info.usable} & {'vulkan-compute', 'vulkan-geometry'}
+    told = told_by(environment, INSTALLED, *sorted(with_driver))
+    assert told.returncode == 0, told.stderr
+    found, home = json.loads(told.stdout), str(environment)
+    assert found['vorpipe'].startswith(home)
+    assert '/vorpipe/_copies/numpy/' in found['numpy']
+    assert any('vorpipe.libs' in library for library in found['libraries'])
+    outside = [library for library in found['libraries'] if not library.startswith(home)]
     assert not [library for library in outside
                 if not re.search(f'/({OF_THE_SYSTEM}|.*python3[.]\\d+/lib-dynload/)', library)]
-    if any(info.backend == 'vulkan-compute' and info.usable for info in vorpipe.devices()):
-        assert device is True
-    else:
-        assert 'vulkan' in device.lower()
+
+
+def test_numpy_that_is_installed_later_is_the_one_in_use(environment):
+    packages, = environment.glob('lib/python3*/site-packages')
+    installed = packages / 'numpy'
+    installed.symlink_to(pathlib.Path(numpy.__file__).parent)
+    told = told_by(environment, INSTALLED)
+    installed.unlink()
+    assert told.returncode == 0, told.stderr
+    assert pathlib.Path(json.loads(told.stdout)['numpy']).parent == installed
+
+
+def test_numpy_that_the_module_does_not_know_is_refused_in_a_line(environment, release):
+    if release.version_of_pybind11(BUILD) >= release.PYBIND11_OF_NUMPY_2:
+        pytest.skip('this pybind11 knows NumPy 2')
+    packages, = environment.glob('lib/python3*/site-packages')
+    (packages / 'numpy').mkdir()
+    (packages / 'numpy/__init__.py').write_text('__version__ = "2.1.0"\n')
+    told = told_by(environment, '-c', 'import vorpipe')
+    shutil.rmtree(packages / 'numpy')
+    assert told.stderr.splitlines()[-1] == (
+        f'ImportError: NumPy 2.1.0 of {packages / "numpy"} is too new for this vorpipe, which takes NumPy before 2: '
+        'pip install "numpy<2"')
