@@ -156,10 +156,12 @@ def range_of(value: Optional[Sequence[float]]) -> Optional[Tuple[float, float]]:
 
 
 def options_of(usual: Mapping[str, Any], given: Mapping[str, Any]) -> Dict[str, Any]:
-    """Options, each of the type of its default; None is that of a text that need not be there."""
+    """Those that are given, each of the type of its default; None is that of a text that need not be there."""
     options: Dict[str, Any] = {}
-    for name, value in given.items():
-        default = usual[name]
+    for name, default in usual.items():
+        if name not in given:
+            continue
+        value = given[name]
         if default is None:
             options[name] = text_or_none(name, value)
         elif isinstance(default, bool):
@@ -291,18 +293,18 @@ def surface_of(value: Optional[str]) -> bool:
     return value == 'free'
 
 
-def mask_of(disabled: Sequence[str], limits: Optional[Mapping[str, int]]) -> Mask:
-    if isinstance(disabled, str) or not hasattr(disabled, '__iter__'):
-        raise refuse('disabled', f'{disabled!r} is no list of names')
-    if limits is not None and not isinstance(limits, Mapping):
-        raise refuse('limits', f'{limits!r} is no mapping from names to numbers')
-    for name in disabled:
+def mask_of(disable: Sequence[str], limit: Optional[Mapping[str, int]]) -> Mask:
+    if isinstance(disable, str) or not hasattr(disable, '__iter__'):
+        raise refuse('disable', f'{disable!r} is no list of names')
+    if limit is not None and not isinstance(limit, Mapping):
+        raise refuse('limit', f'{limit!r} is no mapping from names to numbers')
+    for name in disable:
         if name not in _vorpipe.feature_names():
-            raise refuse('disabled', f'{name!r} is none of {", ".join(_vorpipe.feature_names())}')
-    for name in limits or {}:
+            raise refuse('disable', f'{name!r} is none of {", ".join(_vorpipe.feature_names())}')
+    for name in limit or {}:
         if name not in _vorpipe.limit_names():
-            raise refuse('limits', f'{name!r} is none of {", ".join(_vorpipe.limit_names())}')
-    return list(disabled), [(name, whole_of('limits', limit, 0, 2**64 - 1)) for name, limit in (limits or {}).items()]
+            raise refuse('limit', f'{name!r} is none of {", ".join(_vorpipe.limit_names())}')
+    return list(disable), [(name, whole_of('limit', most, 0, 2**64 - 1)) for name, most in (limit or {}).items()]
 
 
 def outline_of(value: Any, layer: Optional[str] = None) -> Outline:

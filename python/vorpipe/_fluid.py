@@ -8,6 +8,7 @@ from typing import Any, Callable, List, NoReturn, Optional, Sequence, Tuple, Uni
 from . import _arguments, _scalars, _vorpipe
 from ._arguments import Floats, PathLike
 from ._diagram import Diagram
+from ._names import renamed
 from ._picture import Picture
 from ._sessions import Session, input_of
 from ._shared import Progress, backend_for, shared
@@ -21,7 +22,7 @@ class Fluid:
     It begins with points and their velocities, or with a case or a file by its name:
 
         vorpipe.Fluid(points, velocities, domain=(0, 0, 1, 1))
-        vorpipe.Fluid("dam-break", parcels=1000)
+        vorpipe.Fluid("dam-break", particles=1000)
         vorpipe.Fluid("state.npz")
 
     Arrays are read-only and of the state as it is when they are asked for; later steps do not change them. Options that
@@ -37,7 +38,7 @@ class Fluid:
         weights: (N,), where to begin to look for those that give cells their areas.
         domain, periodic, repair: as in `cells`; an outline is walls of any shape, with holes as obstacles.
         surface: "free" where air is around the cells.
-        parcels: about how many cells a case has; None: 2048.
+        particles: about how many cells a case has; None: 2048.
         gravity: (x, y); None: none.
         scheme: "projection", for domains that are full; or "springs", which has free surfaces. None: the first, but for
             those.
@@ -55,9 +56,10 @@ class Fluid:
 
     __slots__ = ('_fluid', '_session')
 
+    @renamed(parcels='particles')
     def __init__(self, begin: Any, velocities: Any = None, *, volumes: Any = None, densities: Any = None,
                  weights: Any = None, domain: Any = None, repair: bool = False,
-                 periodic: Union[None, bool, str] = None, surface: Optional[str] = None, parcels: Optional[int] = None,
+                 periodic: Union[None, bool, str] = None, surface: Optional[str] = None, particles: Optional[int] = None,
                  gravity: Optional[Sequence[float]] = None, scheme: Optional[str] = None,
                  viscosity: Optional[float] = None, walls: Optional[str] = None,
                  step: Optional[float] = None, epsilon: Optional[float] = None, until: Optional[float] = None,
@@ -67,11 +69,11 @@ class Fluid:
         arrays = {'velocities': velocities, 'volumes': volumes, 'densities': densities, 'weights': weights,
                   'domain': domain, 'periodic': periodic, 'surface': surface}
         if isinstance(begin, (str, os.PathLike)):
-            setup = _named(begin, parcels, arrays)
-            count = 2048 if parcels is None else int(parcels)
+            setup = _named(begin, particles, arrays)
+            count = 2048 if particles is None else int(particles)
         else:
-            if parcels is not None:
-                raise _scalars.refuse('parcels', 'is for cases; points are as many as there are')
+            if particles is not None:
+                raise _scalars.refuse('particles', 'is for cases; points are as many as there are')
             given = input_of(begin, weights, _arguments.domain_of(domain, repair=repair), periodic,
                              surface=surface)
             count = len(given)
@@ -248,14 +250,14 @@ class Fluid:
         self._fluid.save(_scalars.path_of(path))
 
 
-def _named(begin: Named, parcels: Optional[int], arrays: Any) -> _vorpipe.FluidSetup:
+def _named(begin: Named, particles: Optional[int], arrays: Any) -> _vorpipe.FluidSetup:
     """Of a case or a file, which have all arrays themselves."""
     path = _scalars.path_of(begin, 'begin')
     name = os.fsdecode(path)
     for argument, value in arrays.items():
         if value is not None:
             raise _scalars.refuse(argument, f'{name} has its own')
-    if parcels is not None and name not in _vorpipe.fluid_cases():
-        raise _scalars.refuse('parcels', f'is for cases; {name} has as many as it has')
-    count = 2048 if parcels is None else _scalars.whole_of('parcels', parcels, 4, what='is no number of at least 4')
+    if particles is not None and name not in _vorpipe.fluid_cases():
+        raise _scalars.refuse('particles', f'is for cases; {name} has as many as it has')
+    count = 2048 if particles is None else _scalars.whole_of('particles', particles, 4, what='is no number of at least 4')
     return _vorpipe.FluidSetup.named(path, count)

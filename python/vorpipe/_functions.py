@@ -1,16 +1,17 @@
 """The functions of the package."""
 from __future__ import annotations
 
-from typing import Any, List, Mapping, NamedTuple, Optional, Sequence, Tuple, Union, overload
+from typing import Any, List, Mapping, NamedTuple, Optional, Sequence, Tuple, Union, Unpack, overload
 
 from . import _arguments, _look, _scalars, _vorpipe
-from ._arguments import Floats, PathLike, Size
+from ._arguments import Floats, PathLike
 from ._diagram import Diagram
 from ._names import renamed
+from ._options import CellsOptions, PictureOptions, RelaxOptions, TransportOptions, taking
 from ._picture import Picture
 from ._points import Given, generated, given, read_points
 from ._relaxed import Relaxed
-from ._sessions import Margin, Project, Session, StepCallback, input_of
+from ._sessions import Session, taken_of
 from ._shared import Device, Progress, backend_for, shared
 from ._transported import Transported
 
@@ -18,13 +19,9 @@ def _session(backend: str, device: Device, threads: Optional[int], points: Given
     return Session._around(shared(backend_for(backend, device, len(points.taken), pixels), device, threads), threads)
 
 
-@renamed(outline='domain')
-def cells(points: Any, weights: Any = None, domain: Any = None, periodic: Union[None, bool, str] = None,
-          density: Any = None, backend: str = 'auto', device: Device = None, threads: Optional[int] = None,
-          check: bool = False, detail: str = 'all', search: str = 'grid', progress: Optional[Progress] = None,
-          attributes: Optional[Mapping[str, Any]] = None, project: Project = None, margin: Margin = None,
-          domain_layer: Optional[str] = None, repair: bool = False, crs: Any = None, surface: Optional[str] = None,
-          density_box: Optional[Sequence[float]] = None) -> Diagram:
+@taking(CellsOptions, 'periodic', 'density')
+def cells(points: Any, weights: Any = None, domain: Any = None, *, backend: str = 'auto', device: Device = None,
+          threads: Optional[int] = None, **options: Unpack[CellsOptions]) -> Diagram:
     """The cells of points: Voronoi cells (Thiessen polygons), with weights power (Laguerre) cells, in a domain.
 
     Args:
@@ -77,26 +74,13 @@ def cells(points: Any, weights: Any = None, domain: Any = None, periodic: Union[
         InputWarning: something was reinterpreted or changed: coordinates look like degrees, an outline was mended.
     """
     points = given(points)
-    session = _session(backend, device, threads, points)
-    return session.cells(points, weights, domain, periodic=periodic, density=density, check=check,
-                         detail=detail, search=search, progress=progress, attributes=attributes, project=project,
-                         margin=margin, domain_layer=domain_layer, repair=repair, crs=crs, surface=surface,
-                         density_box=density_box)
+    return _session(backend, device, threads, points).cells(points, weights, domain, **options)
 
 
-@renamed(outline='domain')
-def render(points: Any, weights: Any = None, domain: Any = None, size: Size = None, color: Any = 'site',
-           colormap: Union[None, str, Sequence[str]] = None, edges: bool = False, show_sites: bool = False,
-           periodic: Union[None, bool, str] = None, backend: str = 'auto', device: Device = None,
-           threads: Optional[int] = None, check: bool = False, search: str = 'grid',
-           progress: Optional[Progress] = None, color_scale: Optional[str] = None,
-           color_range: Optional[Sequence[float]] = None, legend: Union[bool, str] = False, edge_width: float = 1,
-           dot_size: Optional[float] = None, fit: Optional[str] = None, project: Project = None, margin: Margin = None,
-           domain_layer: Optional[str] = None, repair: bool = False, crs: Any = None, antialias: int = 1,
-           dual: bool = False, labels: Any = False, label_size: float = 10, fill: bool = True,
-           edge_color: Optional[str] = None, background: Optional[str] = None,
-           view: Optional[Sequence[float]] = None, surface: Optional[str] = None, title: Optional[str] = None,
-           legend_title: Optional[str] = None) -> Picture:
+
+@taking(PictureOptions, 'size', 'color')
+def render(points: Any, weights: Any = None, domain: Any = None, *, backend: str = 'auto', device: Device = None,
+           threads: Optional[int] = None, **options: Unpack[PictureOptions]) -> Picture:
     """A picture of the cells, and whose cell each pixel is in.
 
     Args:
@@ -136,53 +120,26 @@ def render(points: Any, weights: Any = None, domain: Any = None, size: Size = No
     With `project`, the picture is of the plane. All others are as in `cells`; "auto" takes "cpu" for up to 100,000
     points and 4 million pixels.
     """
-    pixels = _arguments.most_pixels(_arguments.size_of(size))
-    points = given(points)
-    session = _session(backend, device, threads, points, pixels)
-    return session.render(points, weights, domain, size=size, color=color, colormap=colormap, edges=edges,
-                          show_sites=show_sites, periodic=periodic, check=check, search=search, progress=progress,
-                          color_scale=color_scale, color_range=color_range, legend=legend, edge_width=edge_width,
-                          dot_size=dot_size, fit=fit, project=project, margin=margin, domain_layer=domain_layer,
-                          repair=repair, crs=crs, antialias=antialias, dual=dual, labels=labels, label_size=label_size,
-                          fill=fill, edge_color=edge_color, background=background, view=view, surface=surface,
-                          title=title, legend_title=legend_title)
+    points, pixels = given(points), _arguments.most_pixels(_arguments.size_of(options['size']))
+    return _session(backend, device, threads, points, pixels).render(points, weights, domain, **options)
 
 
-@renamed(outline='domain')
-def draw(points: Any, path: PathLike, weights: Any = None, domain: Any = None, size: Size = None, color: Any = 'site',
-         colormap: Union[None, str, Sequence[str]] = None, edges: bool = False, show_sites: bool = False,
-         periodic: Union[None, bool, str] = None, backend: str = 'auto', device: Device = None,
-         threads: Optional[int] = None, check: bool = False, search: str = 'grid', progress: Optional[Progress] = None,
-         color_scale: Optional[str] = None, color_range: Optional[Sequence[float]] = None,
-         legend: Union[bool, str] = False,
-         edge_width: float = 1, dot_size: Optional[float] = None, fit: Optional[str] = None, project: Project = None,
-         margin: Margin = None, domain_layer: Optional[str] = None, repair: bool = False, crs: Any = None,
-         antialias: int = 1, dual: bool = False, labels: Any = False, label_size: float = 10, fill: bool = True,
-         edge_color: Optional[str] = None, background: Optional[str] = None,
-         view: Optional[Sequence[float]] = None, surface: Optional[str] = None, title: Optional[str] = None,
-         legend_title: Optional[str] = None) -> Diagram:
+
+@taking(PictureOptions, 'size', 'color')
+def draw(points: Any, path: PathLike, weights: Any = None, domain: Any = None, *, backend: str = 'auto',
+         device: Device = None, threads: Optional[int] = None, **options: Unpack[PictureOptions]) -> Diagram:
     """Draws the cells as shapes, into a file: .svg or .pdf. Returns the cells, with detail="polygons".
 
     All arguments are as in `render`; the picture looks the same.
     """
     points = given(points)
-    session = _session(backend, device, threads, points)
-    return session.draw(points, path, weights, domain, size=size, color=color, colormap=colormap, edges=edges,
-                        show_sites=show_sites, periodic=periodic, check=check, search=search, progress=progress,
-                        color_scale=color_scale, color_range=color_range, legend=legend, edge_width=edge_width,
-                        dot_size=dot_size, fit=fit, project=project, margin=margin, domain_layer=domain_layer,
-                        repair=repair, crs=crs, antialias=antialias, dual=dual, labels=labels, label_size=label_size,
-                        fill=fill, edge_color=edge_color, background=background, view=view, surface=surface,
-                        title=title, legend_title=legend_title)
+    return _session(backend, device, threads, points).draw(points, path, weights, domain, **options)
 
 
-@renamed(outline='domain')
-def relax(points: Any, weights: Any = None, domain: Any = None, periodic: Union[None, bool, str] = None,
-          density: Any = None, method: str = 'lbfgs', iterations: int = 50, tolerance: float = 0,
-          equal_masses: bool = False, backend: str = 'auto', device: Device = None, threads: Optional[int] = None,
-          search: str = 'grid', progress: Optional[Progress] = None, attributes: Optional[Mapping[str, Any]] = None,
-          project: Project = None, margin: Margin = None, domain_layer: Optional[str] = None, repair: bool = False,
-          crs: Any = None, density_box: Optional[Sequence[float]] = None) -> Relaxed:
+
+@taking(RelaxOptions, 'periodic', 'density')
+def relax(points: Any, weights: Any = None, domain: Any = None, *, backend: str = 'auto', device: Device = None,
+          threads: Optional[int] = None, **options: Unpack[RelaxOptions]) -> Relaxed:
     """Moves points until each is the centroid of its cell: cells become alike, and nearly regular hexagons.
 
     Args:
@@ -198,22 +155,14 @@ def relax(points: Any, weights: Any = None, domain: Any = None, periodic: Union[
     Points stay in the domain; one at the place of another is set beside it. All others are as in `cells`.
     """
     points = given(points)
-    session = _session(backend, device, threads, points)
-    return session.relax(points, weights, domain, periodic=periodic, density=density, method=method,
-                         iterations=iterations, tolerance=tolerance, equal_masses=equal_masses, search=search,
-                         progress=progress, attributes=attributes, project=project, margin=margin,
-                         domain_layer=domain_layer, repair=repair, crs=crs, density_box=density_box)
+    return _session(backend, device, threads, points).relax(points, weights, domain, **options)
 
 
-@renamed(outline='domain')
-def transport(points: Any, masses: Any = None, density: Any = None, domain: Any = None, weights: Any = None,
-              tolerance: float = 1e-8, diagrams: int = 400, normalize: bool = False, surface: Optional[str] = None,
-              fill: Optional[float] = None, callback: Optional[StepCallback] = None,
-              periodic: Union[None, bool, str] = None, backend: str = 'auto', device: Device = None,
-              threads: Optional[int] = None, search: str = 'grid', progress: Optional[Progress] = None,
-              attributes: Optional[Mapping[str, Any]] = None, project: Project = None, margin: Margin = None,
-              domain_layer: Optional[str] = None, repair: bool = False, crs: Any = None,
-              density_box: Optional[Sequence[float]] = None, skip_zero: bool = False) -> Transported:
+
+@taking(TransportOptions)
+def transport(points: Any, masses: Any = None, density: Any = None, domain: Any = None, weights: Any = None, *,
+              backend: str = 'auto', device: Device = None, threads: Optional[int] = None,
+              **options: Unpack[TransportOptions]) -> Transported:
     """The weights that give each cell its mass: semi-discrete optimal transport.
 
     Args:
@@ -236,12 +185,8 @@ def transport(points: Any, masses: Any = None, density: Any = None, domain: Any 
     `Transported.end` says whether the tolerance was reached. All others are as in `cells`.
     """
     points = given(points)
-    session = _session(backend, device, threads, points)
-    return session.transport(points, masses, density, domain, weights, tolerance=tolerance, diagrams=diagrams,
-                             normalize=normalize, surface=surface, fill=fill, callback=callback, periodic=periodic,
-                             search=search, progress=progress, attributes=attributes, project=project, margin=margin,
-                             domain_layer=domain_layer, repair=repair, crs=crs, density_box=density_box,
-                             skip_zero=skip_zero)
+    return _session(backend, device, threads, points).transport(points, masses, density, domain, weights, **options)
+
 
 
 def voronoi_polygons(points: Any, domain: Any = None, *, extend_to: Any = None, only_edges: bool = False,
@@ -315,18 +260,20 @@ def compare(a: Union[Diagram, Picture], b: Union[Diagram, Picture]) -> Union[_vo
     raise _scalars.refuse('b', f'a {type(b).__name__} cannot be compared with a {type(a).__name__}')
 
 
-def devices(*, disabled: Sequence[str] = (), limits: Optional[Mapping[str, int]] = None) -> List[_vorpipe.DeviceInfo]:
+@renamed(disabled='disable', limits='limit')
+def devices(*, disable: Sequence[str] = (), limit: Optional[Mapping[str, int]] = None) -> List[_vorpipe.DeviceInfo]:
     """Every backend with its devices, usable or not; with `reason` where not."""
-    return _vorpipe.devices(_arguments.mask_of(disabled, limits))
+    return _vorpipe.devices(_arguments.mask_of(disable, limit))
 
 
+@renamed(disabled='disable', limits='limit')
 def selftest(backend: Optional[str] = None, device: Device = None, quick: bool = False, seed: int = 1,
-             threads: Optional[int] = None, *, disabled: Sequence[str] = (), limits: Optional[Mapping[str, int]] = None,
+             threads: Optional[int] = None, *, disable: Sequence[str] = (), limit: Optional[Mapping[str, int]] = None,
              progress: Optional[Progress] = None) -> _vorpipe.SelftestReport:
     """Runs scenes of its own on each backend and device, and compares what they answer with the processor."""
     return _vorpipe.selftest(_scalars.text_or_none('backend', backend) or '', '' if device is None else str(device),
                              _scalars.flag_of('quick', quick), _scalars.seed_of(seed), _arguments.threads_of(threads),
-                             _arguments.mask_of(disabled, limits), _scalars.call_of('progress', progress))
+                             _arguments.mask_of(disable, limit), _scalars.call_of('progress', progress))
 
 
 class Forecast(NamedTuple):
@@ -342,24 +289,18 @@ class Forecast(NamedTuple):
         return self.bytes <= self.available
 
 
-@renamed(outline='domain')
-def forecast(points: Any, weights: Any = None, domain: Any = None, periodic: Union[None, bool, str] = None,
-             density: Any = None, backend: str = 'auto', device: Device = None,
-             threads: Optional[int] = None, check: bool = False, detail: str = 'all', *, picture: bool = False,
-             size: Size = None, color: str = 'site', edges: bool = False, antialias: int = 1,
-             dual: bool = False, labels: bool = False, label_size: float = 10) -> Forecast:
+@taking(PictureOptions, 'periodic', 'density')
+def forecast(points: Any, weights: Any = None, domain: Any = None, *, density: Any = None, detail: str = 'all',
+             picture: bool = False, backend: str = 'auto', device: Device = None, threads: Optional[int] = None,
+             **options: Unpack[PictureOptions]) -> Forecast:
     """How much memory `cells` takes with these arguments, or with `picture=True` `render`; Python's own not counted."""
-    pixels = _arguments.most_pixels(_arguments.size_of(size))
-    points = given(points)
-    session = _session(backend, device, threads, points, pixels)
-    taken = input_of(points, weights, _arguments.domain_of(domain), periodic,
-                     None if picture else density)
-    count, flag = _arguments.threads_of(threads), _scalars.flag_of('check', check)
+    points, pixels = given(points), _arguments.most_pixels(_arguments.size_of(options['size']))
+    session = _session(backend, device, threads, points, pixels)._session
+    _, taken = taken_of(points, weights, domain, {**options, 'density': None if picture else density})
+    count, flag = _arguments.threads_of(threads), _scalars.flag_of('check', options['check'])
     if picture:
-        look = _look.look_of(len(taken), size, color, edges=edges, antialias=antialias, dual=dual, labels=labels,
-                                  label_size=label_size)
-        return Forecast(*_vorpipe.forecast_picture(session._session, taken, look, flag, count))
-    return Forecast(*_vorpipe.forecast_cells(session._session, taken, _arguments.detail_of(detail), flag, count))
+        return Forecast(*_vorpipe.forecast_picture(session, taken, _look.look_of(len(taken), options), flag, count))
+    return Forecast(*_vorpipe.forecast_cells(session, taken, _arguments.detail_of(detail), flag, count))
 
 
 def generate(pattern: str, n: int, seed: int = 1, domain: Optional[Sequence[float]] = None) -> Floats:

@@ -1,10 +1,11 @@
 """How a picture is to look: colors, labels, and what stands around it."""
 from __future__ import annotations
 
-from typing import Any, Dict, List, Optional, Sequence, Tuple, Union
+from typing import Any, Dict, List, Mapping, Optional, Sequence, Tuple, Union
 
 from . import _attributes, _vorpipe
-from ._arguments import Size, box_of, options_of, range_of, search_of, size_of
+from ._arguments import box_of, options_of, range_of, search_of, size_of
+from ._options import PictureOptions, usual
 from ._scalars import flag_of, refuse, text_of, text_or_none
 
 
@@ -31,30 +32,28 @@ def legend_of(value: Union[bool, str]) -> Tuple[bool, bool]:
     return flag_of('legend', value), False
 
 
-def look_of(count: int, size: Size, color: Any, *,
-            colormap: Union[None, str, Sequence[str]] = None, color_scale: Optional[str] = None,
-            color_range: Optional[Sequence[float]] = None, legend: Union[bool, str] = False, fit: Optional[str] = None,
-            search: Any = 'grid', fill: bool = True, view: Optional[Sequence[float]] = None, labels: Any = False,
-            title: Optional[str] = None, legend_title: Optional[str] = None, **marks: Any) -> _vorpipe.Look:
-    """Of a picture of `count` points; colors and labels may be a value for each."""
-    method, neighbors = search_of(search)
-    name, colors = colormap_of(colormap)
-    has_legend, beside = legend_of(legend)
+def look_of(count: int, options: Mapping[str, Any]) -> _vorpipe.Look:
+    """Of a picture of `count` points, by `PictureOptions`; colors and labels may be a value for each."""
+    options = {**usual(PictureOptions), **options}
+    method, neighbors = search_of(options['search'])
+    name, colors = colormap_of(options['colormap'])
+    has_legend, beside = legend_of(options['legend'])
+    marks = {name: options[name] for name in _vorpipe.MARKS if name != 'dot_size' or options[name] is not None}
     own: Dict[str, Any] = {}
     named: Dict[str, str] = {}
-    for argument, value in (('color', color), ('labels', labels)):
+    for argument in ('color', 'labels'):
+        value = options[argument]
         if isinstance(value, str) and value.startswith('@'):
             named[argument] = text_of(argument, value[1:])
         elif hasattr(value, '__len__') and not isinstance(value, str):
             own[argument] = value
     attributes = _attributes.attributes_of(own, count) if own else None
-    words = _vorpipe.Words(text_or_none('title', title) or '', text_or_none('legend_title', legend_title) or '',
+    words = _vorpipe.Words(text_or_none('title', options['title']) or '',
+                           text_or_none('legend_title', options['legend_title']) or '',
                            named.get('color', ''), named.get('labels', ''), beside, attributes)
-    marks['labels'] = 'labels' in named or 'labels' in own or flag_of('labels', labels)
-    by = 'site' if 'color' in named or 'color' in own else text_of('color', color)
-    look = _vorpipe.Colors(by, name, colors, text_or_none('color_scale', color_scale), range_of(color_range),
-                           has_legend, flag_of('fill', fill))
-    if marks.get('dot_size') is None:
-        marks.pop('dot_size', None)
-    return _vorpipe.Look(size_of(size), text_or_none('fit', fit), look, words, options_of(_vorpipe.MARKS, marks),
-                         method, neighbors, box_of(view, 'view'))
+    marks['labels'] = 'labels' in named or 'labels' in own or flag_of('labels', options['labels'])
+    by = 'site' if 'color' in named or 'color' in own else text_of('color', options['color'])
+    look = _vorpipe.Colors(by, name, colors, text_or_none('color_scale', options['color_scale']),
+                           range_of(options['color_range']), has_legend, flag_of('fill', options['fill']))
+    return _vorpipe.Look(size_of(options['size']), text_or_none('fit', options['fit']), look, words,
+                         options_of(_vorpipe.MARKS, marks), method, neighbors, box_of(options['view'], 'view'))

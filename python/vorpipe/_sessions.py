@@ -1,23 +1,21 @@
 """Sessions: what runs take, and what they bring."""
 from __future__ import annotations
 
-from typing import Any, Callable, Mapping, NoReturn, Optional, Sequence, Union
+from typing import Any, Mapping, NoReturn, Optional, Sequence, Tuple, TypeVar, Union, Unpack
 
 from . import _arguments, _attributes, _crs, _look, _scalars, _shared, _vorpipe
-from ._arguments import PathLike, Size
+from ._arguments import PathLike
 from ._diagram import Diagram
 from ._errors import CheckError
 from ._names import renamed
+from ._options import CellsOptions, PictureOptions, RelaxOptions, TransportOptions, taking
 from ._picture import Picture
-from ._points import given
+from ._points import Given, given
 from ._relaxed import Relaxed
-from ._shared import Device, Progress
 from ._transported import Transported
 from ._warnings import warn
 
-StepCallback = Callable[[_vorpipe.TransportStep], Optional[bool]]
-Project = Union[None, bool, str, Sequence[float]]
-Margin = Union[None, float, str]
+_Result = TypeVar('_Result', Diagram, Picture)
 
 
 def input_of(points: Any, weights: Any, domain: _vorpipe.Domain, periodic: Union[None, bool, str],
@@ -36,6 +34,15 @@ def input_of(points: Any, weights: Any, domain: _vorpipe.Domain, periodic: Union
                           _attributes.attributes_of(attributes, count, own), system, _arguments.surface_of(surface))
     warn(made.notes)
     return made
+
+
+def taken_of(points: Any, weights: Any, domain: Any, options: Mapping[str, Any]) -> Tuple[Given, _vorpipe.Input]:
+    """What is given for points, and the input of a run with these options."""
+    found = given(points)
+    wanted = _arguments.domain_of(domain, *(options[name] for name in ('margin', 'repair', 'project', 'domain_layer')))
+    return found, input_of(found, weights, wanted, options['periodic'], options.get('density'),
+                           options.get('attributes'), options['crs'], options.get('surface'),
+                           options.get('density_box'))
 
 
 def kept_of(masses: _arguments.Floats, count: int) -> Optional[_arguments.Bools]:
@@ -63,20 +70,21 @@ class Session:
         backend: "auto", "vulkan", "vulkan-compute", "vulkan-geometry", "opengl" or "cpu". "auto" takes the best.
         device: an index or a part of a name, as `devices` lists them; None for the best.
         threads: of the processor; None for all.
-        validation: Vulkan's validation layers; what they say is in `Report.validation_messages`.
-        disabled: features that the device is to do without, by their Vulkan names.
-        limits: limits that it is to have, by their Vulkan names.
+        validate: Vulkan's validation layers; what they say is in `Report.validation_messages`.
+        disable: features that the device is to do without, by their Vulkan names.
+        limit: limits that it is to have, by their Vulkan names.
 
     Raises:
         InputError: no such backend.
         DeviceError: it is not here, or fails; the message says what would help.
     """
 
+    @renamed(validation='validate', disabled='disable', limits='limit')
     def __init__(self, backend: str = 'auto', device: Union[None, int, str] = None, threads: Optional[int] = None,
-                 validation: bool = False, *, disabled: Sequence[str] = (),
-                 limits: Optional[Mapping[str, int]] = None) -> None:
+                 validate: bool = False, *, disable: Sequence[str] = (),
+                 limit: Optional[Mapping[str, int]] = None) -> None:
         self._threads = _arguments.threads_of(threads)
-        self._session = _shared.opened(backend, device, threads, validation, disabled, limits)
+        self._session = _shared.opened(backend, device, threads, validate, disable, limit)
 
     @classmethod
     def _around(cls, session: _vorpipe.Session, threads: Optional[int]) -> Session:
@@ -84,125 +92,71 @@ class Session:
         made._session, made._threads = session, _arguments.threads_of(threads)
         return made
 
-    @renamed(outline='domain')
-    def cells(self, points: Any, weights: Any = None, domain: Any = None, *, periodic: Union[None, bool, str] = None,
-              density: Any = None, check: bool = False, detail: str = 'all', search: str = 'grid',
-              progress: Optional[Progress] = None, attributes: Optional[Mapping[str, Any]] = None,
-              project: Project = None, margin: Margin = None, domain_layer: Optional[str] = None, repair: bool = False,
-              crs: Any = None, surface: Optional[str] = None, density_box: Optional[Sequence[float]] = None) -> Diagram:
+    @taking(CellsOptions)
+    def cells(self, points: Any, weights: Any = None, domain: Any = None, **options: Unpack[CellsOptions]) -> Diagram:
         """As `vorpipe.cells`."""
-        found = given(points)
-        wanted = _arguments.domain_of(domain, margin, repair, project, domain_layer)
-        taken = input_of(found, weights, wanted, periodic, density, attributes, crs, surface, density_box=density_box)
-        method, neighbors = _arguments.search_of(search)
-        made = self._session.cells(taken, _arguments.detail_of(detail), method, neighbors,
-                                   _scalars.call_of('progress', progress))
-        diagram = Diagram(made, found.index)
-        if check:
-            raise_broken(diagram.check(self._threads or None))
-        return diagram
+        found, taken = taken_of(points, weights, domain, options)
+        made = self._session.cells(taken, _arguments.detail_of(options['detail']),
+                                   *_arguments.search_of(options['search']),
+                                   _scalars.call_of('progress', options['progress']))
+        return self._checked(Diagram(made, found.index), options['check'])
 
-    @renamed(outline='domain')
-    def render(self, points: Any, weights: Any = None, domain: Any = None, *, size: Size = None, color: Any = 'site',
-               colormap: Union[None, str, Sequence[str]] = None, edges: bool = False, show_sites: bool = False,
-               periodic: Union[None, bool, str] = None, check: bool = False, search: str = 'grid',
-               progress: Optional[Progress] = None, color_scale: Optional[str] = None,
-               color_range: Optional[Sequence[float]] = None, legend: Union[bool, str] = False, edge_width: float = 1,
-               dot_size: Optional[float] = None, fit: Optional[str] = None, project: Project = None,
-               margin: Margin = None, domain_layer: Optional[str] = None, repair: bool = False, crs: Any = None,
-               antialias: int = 1, dual: bool = False, labels: Any = False, label_size: float = 10, fill: bool = True,
-               edge_color: Optional[str] = None, background: Optional[str] = None,
-               view: Optional[Sequence[float]] = None, surface: Optional[str] = None, title: Optional[str] = None,
-               legend_title: Optional[str] = None) -> Picture:
+    @taking(PictureOptions)
+    def render(self, points: Any, weights: Any = None, domain: Any = None,
+               **options: Unpack[PictureOptions]) -> Picture:
         """As `vorpipe.render`."""
-        found = given(points)
-        wanted = _arguments.domain_of(domain, margin, repair, project, domain_layer)
-        taken = input_of(found, weights, wanted, periodic, crs=crs, surface=surface)
-        look = _look.look_of(len(taken), size, color, colormap=colormap, color_scale=color_scale,
-                             color_range=color_range, legend=legend, fit=fit, search=search, fill=fill,
-                             edge_color=edge_color, background=background, view=view, edges=edges,
-                             show_sites=show_sites, dual=dual, labels=labels, edge_width=edge_width,
-                             dot_size=dot_size, label_size=label_size, antialias=antialias, title=title,
-                             legend_title=legend_title)
-        picture = Picture(self._session.render(taken, look, _scalars.call_of('progress', progress)))
-        if check:
-            raise_broken(picture.check(self._threads or None))
-        return picture
+        _, taken = taken_of(points, weights, domain, options)
+        look = _look.look_of(len(taken), options)
+        made = self._session.render(taken, look, _scalars.call_of('progress', options['progress']))
+        return self._checked(Picture(made), options['check'])
 
-    @renamed(outline='domain')
-    def draw(self, points: Any, path: PathLike, weights: Any = None, domain: Any = None, *, size: Size = None,
-             color: Any = 'site', colormap: Union[None, str, Sequence[str]] = None,
-             edges: bool = False, show_sites: bool = False,
-             periodic: Union[None, bool, str] = None, check: bool = False, search: str = 'grid',
-             progress: Optional[Progress] = None, color_scale: Optional[str] = None,
-             color_range: Optional[Sequence[float]] = None, legend: Union[bool, str] = False, edge_width: float = 1,
-             dot_size: Optional[float] = None, fit: Optional[str] = None, project: Project = None,
-             margin: Margin = None, domain_layer: Optional[str] = None, repair: bool = False, crs: Any = None,
-             antialias: int = 1, dual: bool = False, labels: Any = False, label_size: float = 10, fill: bool = True,
-             edge_color: Optional[str] = None, background: Optional[str] = None,
-             view: Optional[Sequence[float]] = None, surface: Optional[str] = None, title: Optional[str] = None,
-             legend_title: Optional[str] = None) -> Diagram:
+    @taking(PictureOptions)
+    def draw(self, points: Any, path: PathLike, weights: Any = None, domain: Any = None,
+             **options: Unpack[PictureOptions]) -> Diagram:
         """As `vorpipe.draw`."""
-        found = given(points)
-        wanted = _arguments.domain_of(domain, margin, repair, project, domain_layer)
-        taken = input_of(found, weights, wanted, periodic, crs=crs, surface=surface)
-        look = _look.look_of(len(taken), size, color, colormap=colormap, color_scale=color_scale,
-                             color_range=color_range, legend=legend, fit=fit, search=search, fill=fill,
-                             edge_color=edge_color, background=background, view=view, edges=edges,
-                             show_sites=show_sites, dual=dual, labels=labels, edge_width=edge_width,
-                             dot_size=dot_size, label_size=label_size, antialias=antialias, title=title,
-                             legend_title=legend_title)
-        to = _scalars.path_of(path)
-        cells = self._session.shapes(taken, look, to, _scalars.call_of('progress', progress))
-        diagram = Diagram(cells, found.index)
-        if check:
-            raise_broken(diagram.check(self._threads or None))
+        found, taken = taken_of(points, weights, domain, options)
+        look, to = _look.look_of(len(taken), options), _scalars.path_of(path)
+        cells = self._session.shapes(taken, look, to, _scalars.call_of('progress', options['progress']))
+        diagram = self._checked(Diagram(cells, found.index), options['check'])
         _vorpipe.save_shapes(cells, look, to, self._threads)
         return diagram
 
-    @renamed(outline='domain')
-    def relax(self, points: Any, weights: Any = None, domain: Any = None, *, periodic: Union[None, bool, str] = None,
-              density: Any = None, method: str = 'lbfgs', iterations: int = 50, tolerance: float = 0,
-              equal_masses: bool = False, search: str = 'grid', progress: Optional[Progress] = None,
-              attributes: Optional[Mapping[str, Any]] = None, project: Project = None, margin: Margin = None,
-              domain_layer: Optional[str] = None, repair: bool = False, crs: Any = None,
-              density_box: Optional[Sequence[float]] = None) -> Relaxed:
+    @taking(RelaxOptions)
+    def relax(self, points: Any, weights: Any = None, domain: Any = None, **options: Unpack[RelaxOptions]) -> Relaxed:
         """As `vorpipe.relax`."""
-        found = given(points)
-        wanted = _arguments.domain_of(domain, margin, repair, project, domain_layer)
-        taken = input_of(found, weights, wanted, periodic, density, attributes, crs, density_box=density_box)
-        options = _arguments.options_of(_vorpipe.RELAX, {'method': method, 'iterations': iterations,
-                                                         'tolerance': tolerance, 'equal_masses': equal_masses})
-        arguments = _vorpipe.RelaxArguments(options, *_arguments.search_of(search))
-        return Relaxed(self._session.relax(taken, arguments, _scalars.call_of('progress', progress)), found.index)
+        found, taken = taken_of(points, weights, domain, options)
+        arguments = _vorpipe.RelaxArguments(_arguments.options_of(_vorpipe.RELAX, options),
+                                            *_arguments.search_of(options['search']))
+        return Relaxed(self._session.relax(taken, arguments, _scalars.call_of('progress', options['progress'])),
+                       found.index)
 
-    @renamed(outline='domain')
+    @taking(TransportOptions)
     def transport(self, points: Any, masses: Any = None, density: Any = None, domain: Any = None, weights: Any = None,
-                  *, tolerance: float = 1e-8, diagrams: int = 400, normalize: bool = False,
-                  surface: Optional[str] = None, fill: Optional[float] = None, callback: Optional[StepCallback] = None,
-                  periodic: Union[None, bool, str] = None, search: str = 'grid', progress: Optional[Progress] = None,
-                  attributes: Optional[Mapping[str, Any]] = None, project: Project = None, margin: Margin = None,
-                  domain_layer: Optional[str] = None, repair: bool = False, crs: Any = None,
-                  density_box: Optional[Sequence[float]] = None, skip_zero: bool = False) -> Transported:
+                  **options: Unpack[TransportOptions]) -> Transported:
         """As `vorpipe.transport`."""
-        found = given(points)
-        wanted = _arguments.domain_of(domain, margin, repair, project, domain_layer)
-        taken = input_of(found, weights, wanted, periodic, density, attributes, crs, density_box=density_box)
+        # The cells may end in air; of the input that is not said.
+        found, taken = taken_of(points, weights, domain, {**options, 'density': density, 'surface': None})
         masses, index = _arguments.masses_of(masses), found.index
-        if _scalars.flag_of('skip_zero', skip_zero):
+        if _scalars.flag_of('skip_zero', options['skip_zero']):
             kept = kept_of(masses, len(taken))
             if kept is not None:
                 taken, masses = taken.kept(_arguments.listed(kept)), masses[kept]
                 index = None if index is None else index[kept]
-        method, neighbors = _arguments.search_of(search)
-        options = _arguments.options_of(_vorpipe.TRANSPORT, {'tolerance': tolerance, 'diagrams': diagrams})
-        arguments = _vorpipe.TransportArguments(masses=masses, normalize=_scalars.flag_of('normalize', normalize),
-                                                fill=_scalars.number_or_none('fill', fill),
-                                                free_surface=_arguments.surface_of(surface), options=options,
-                                                search=method, neighbors=neighbors)
-        found_weights = self._session.transport(taken, arguments, _scalars.call_of('callback', callback),
-                                                _scalars.call_of('progress', progress))
+        method, neighbors = _arguments.search_of(options['search'])
+        arguments = _vorpipe.TransportArguments(
+            masses=masses, normalize=_scalars.flag_of('normalize', options['normalize']),
+            fill=_scalars.number_or_none('fill', options['fill']),
+            free_surface=_arguments.surface_of(options['surface']),
+            options=_arguments.options_of(_vorpipe.TRANSPORT, options), search=method, neighbors=neighbors)
+        found_weights = self._session.transport(taken, arguments, _scalars.call_of('callback', options['callback']),
+                                                _scalars.call_of('progress', options['progress']))
         return Transported(found_weights, index, self._session)
+
+    def _checked(self, result: _Result, check: bool) -> _Result:
+        broken = result.check(self._threads or None) if check else []
+        if broken:
+            raise CheckError('\n'.join(broken), 'check')
+        return result
 
     @property
     def device(self) -> _vorpipe.DeviceInfo:
@@ -238,7 +192,3 @@ class Session:
     def __repr__(self) -> str:
         return '<vorpipe.Session, closed>' if self.closed else f'<vorpipe.Session {self.device!r}>'
 
-
-def raise_broken(broken: Sequence[str]) -> None:
-    if broken:
-        raise CheckError('\n'.join(broken), 'check')

@@ -19,13 +19,13 @@ _shared: Dict[_Key, _vorpipe.Session] = {}
 _lock = threading.Lock()
 
 
-def opened(backend: str, device: Device, threads: Optional[int], validation: bool = False,
-           disabled: Sequence[str] = (), limits: Optional[Mapping[str, int]] = None) -> _vorpipe.Session:
+def opened(backend: str, device: Device, threads: Optional[int], validate: bool = False,
+           disable: Sequence[str] = (), limit: Optional[Mapping[str, int]] = None) -> _vorpipe.Session:
     """A session of its own."""
     if backend not in _vorpipe.backend_names():
         raise _scalars.refuse('backend', f'{backend!r} is none of {", ".join(_vorpipe.backend_names())}')
     return _vorpipe.Session(backend, '' if device is None else str(device), _arguments.threads_of(threads),
-                            _scalars.flag_of('validation', validation), _arguments.mask_of(disabled, limits))
+                            _scalars.flag_of('validate', validate), _arguments.mask_of(disable, limit))
 
 
 def backend_for(backend: str, device: Device, points: int, pixels: int = 0) -> str:

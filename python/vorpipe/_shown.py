@@ -45,7 +45,7 @@ def pixels_of_cells(given: _vorpipe.Input) -> Optional[npt.NDArray[np.uint8]]:
     """A picture of the cells of these points."""
     if len(given) > MOST_POINTS:
         return None
-    look = _look.look_of(len(given), SIDE, 'site', edges=len(given) <= MOST_EDGES, fit='letterbox')
+    look = _look.look_of(len(given), {'size': SIDE, 'edges': len(given) <= MOST_EDGES, 'fit': 'letterbox'})
     return _shared.shared('cpu', None, None).render(given, look, None).rgba
 
 

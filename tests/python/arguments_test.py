@@ -118,7 +118,7 @@ def test_options_have_the_defaults_of_the_library(function, options):
 
 
 def fluid(**arguments):
-    return vorpipe.Fluid('shear', **{'parcels': 20, **arguments})
+    return vorpipe.Fluid('shear', **{'particles': 20, **arguments})
 
 
 def running(**arguments):
@@ -136,7 +136,7 @@ OF_ANOTHER_TYPE = [
     (vorpipe.relax, ['method', 5, 'iterations', 'x', 'iterations', np.nan, 'iterations', 10**20, 'iterations', None,
                      'tolerance', 'x', 'equal_masses', 'x', 'progress', 5]),
     (vorpipe.transport, ['tolerance', None, 'diagrams', 'x', 'normalize', 'x', 'fill', 'x', 'callback', 5]),
-    (fluid, ['parcels', 'x', 'parcels', 10**20, 'scheme', 5, 'step', 'x', 'until', 'x', 'diagrams', 'x', 'session', 5,
+    (fluid, ['particles', 'x', 'particles', 10**20, 'scheme', 5, 'step', 'x', 'until', 'x', 'diagrams', 'x', 'session', 5,
              'search', 'flann:99999999999', 'progress', 5]),
     (running, ['until', 'x', 'steps', np.nan, 'steps', 'x', 'callback', 5]),
 ]
@@ -159,8 +159,8 @@ def test_what_is_of_another_type_is_named(call, argument, value):
     ('n', lambda: vorpipe.random_weights(0, 1, 10**14)), ('n', lambda: vorpipe.drawn_points([[1]], 10**14)),
     ('domain', lambda: vorpipe.drawn_points([[1]], 5, domain=(1, 1, 0, 0))),
     ('density', lambda: vorpipe.drawn_points([[1, -1]], 5)), ('result', lambda: vorpipe.check(5)),
-    ('disabled', lambda: vorpipe.devices(disabled=5)), ('limits', lambda: vorpipe.devices(limits=5)),
-    ('validation', lambda: vorpipe.Session('cpu', validation='x')),
+    ('disable', lambda: vorpipe.devices(disable=5)), ('limit', lambda: vorpipe.devices(limit=5)),
+    ('validate', lambda: vorpipe.Session('cpu', validate='x')),
     ('only_cells', lambda: vorpipe.cells(POINTS).to_bytes('.csv', only_cells='x')),
     ('extension', lambda: vorpipe.cells(POINTS).to_bytes(5))])
 def test_what_other_functions_do_not_take_is_named(argument, call):
@@ -188,10 +188,10 @@ def test_a_device_that_is_not_there_is_a_device_error():
 
 
 def test_features_and_limits_have_names():
-    with pytest.raises(vorpipe.InputError, match="disabled: 'wings' is none of"):
-        vorpipe.Session('cpu', disabled=['wings'])
-    with pytest.raises(vorpipe.InputError, match="limits: 'wings' is none of"):
-        vorpipe.devices(limits={'wings': 2})
+    with pytest.raises(vorpipe.InputError, match="disable: 'wings' is none of"):
+        vorpipe.Session('cpu', disable=['wings'])
+    with pytest.raises(vorpipe.InputError, match="limit: 'wings' is none of"):
+        vorpipe.devices(limit={'wings': 2})
 
 
 def test_an_error_survives_pickling():
@@ -222,6 +222,21 @@ def test_old_names_serve_with_a_warning():
         assert vorpipe.cells(POINTS, detail='everything').detail == 'all'
     with pytest.warns(DeprecationWarning), pytest.raises(vorpipe.InputError, match='^outline: is domain now, and both'):
         vorpipe.cells(POINTS, domain='hull', outline=half)
+    with pytest.warns(DeprecationWarning, match='^parcels= is particles= now$'):
+        assert len(vorpipe.Fluid('shear', parcels=16)) == 16
+    with pytest.warns(DeprecationWarning, match='^periodic is a keyword now: periodic=$') as told:
+        assert vorpipe.cells(POINTS, None, (0, 0, 1, 1), 'x').periodic == 'x'
+    assert told[0].filename == __file__
+
+
+def test_options_are_those_that_there_are():
+    for wrong in (lambda: vorpipe.render(POINTS, colour='area'), lambda: vorpipe.cells(POINTS, colour='area')):
+        with pytest.raises(TypeError, match=r"^(render|cells)\(\) got an unexpected keyword argument 'colour'$"):
+            wrong()
+    with pytest.raises(TypeError, match=r'^cells\(\) takes from 1 to 3 positional arguments'):
+        vorpipe.cells(POINTS, None, (0, 0, 1, 1), 'x', None, 'cpu')
+    with pytest.raises(TypeError, match="^render.. got multiple values for argument 'size'$"):
+        vorpipe.render(POINTS, None, (0, 0, 1, 1), 400, size=300)
 
 
 def test_a_size_may_be_that_of_the_longer_side():

@@ -22,7 +22,7 @@ def test_two_points_share_the_domain_in_halves():
 
 def test_cells_tile_the_domain_on_every_backend(backend, random):
     points = random.random((2000, 2))
-    with vorpipe.Session(backend, validation=True) as session:
+    with vorpipe.Session(backend, validate=True) as session:
         diagram = session.cells(points, domain=UNIT, check=True)
     assert diagram.report.backend == backend
     assert diagram.report.validation_messages == []

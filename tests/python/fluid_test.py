@@ -15,7 +15,7 @@ UNIT = (0, 0, 1, 1)
 
 
 def test_a_vortex_keeps_its_energy_and_its_areas():
-    fluid = vorpipe.Fluid('taylor-green', parcels=100, scheme='projection', step=0.02)
+    fluid = vorpipe.Fluid('taylor-green', particles=100, scheme='projection', step=0.02)
     assert len(fluid) == 100 and fluid.domain == UNIT and fluid.periodic == 'none' and fluid.surface is None
     assert fluid.end is None and fluid.scheme == 'projection' and fluid.densities.shape == (0, )
     start = fluid.last
@@ -32,14 +32,14 @@ def test_a_vortex_keeps_its_energy_and_its_areas():
 
 
 def test_viscosity_takes_energy_as_theory_says():
-    wave = vorpipe.Fluid('shear-wave', parcels=576, viscosity=0.02)
+    wave = vorpipe.Fluid('shear-wave', particles=576, viscosity=0.02)
     assert wave.scheme == 'projection' and wave.viscosity == 0.02 and wave.walls == 'slip'
     first, last = wave.last, wave.run(until=1)
     assert np.log(first.kinetic / last.kinetic) == pytest.approx(8 * np.pi**2 * 0.02, rel=0.01)
     exact = np.sin(2 * np.pi * wave.points[:, 1]) * np.exp(-4 * np.pi**2 * 0.02)
     error = np.sqrt(np.sum((wave.velocities[:, 0] - exact)**2 + wave.velocities[:, 1]**2) / np.sum(exact**2))
     assert last.velocity_error == pytest.approx(error, rel=1e-6) and error < 0.01
-    channel = vorpipe.Fluid('channel', parcels=144)
+    channel = vorpipe.Fluid('channel', particles=144)
     assert channel.walls == 'no-slip' and channel.run().velocity_error < 0.02
     wave.push(np.zeros((len(wave), 2)))
     assert wave.run(steps=1).velocity_error is None
@@ -74,7 +74,7 @@ def test_walls_are_outlines(tmp_path):
 
 
 def test_arrays_are_views_that_later_steps_leave_alone():
-    fluid = vorpipe.Fluid('shear', parcels=64)
+    fluid = vorpipe.Fluid('shear', particles=64)
     velocities, copy = fluid.velocities, fluid.velocities.copy()
     assert not velocities.flags.writeable and not velocities.flags.owndata
     fluid.step()
@@ -100,7 +100,7 @@ def test_it_begins_with_arrays():
 
 
 def test_a_callback_uses_the_fluid_and_ends_the_run():
-    fluid = vorpipe.Fluid('dam-break', parcels=60)
+    fluid = vorpipe.Fluid('dam-break', particles=60)
     areas = []
 
     def measure(step):
@@ -116,7 +116,7 @@ def test_a_callback_uses_the_fluid_and_ends_the_run():
 
 
 def test_what_is_cancelled_goes_on_as_if_it_had_not_been():
-    fluid, other = (vorpipe.Fluid('taylor-green', parcels=100, step=0.01) for _ in range(2))
+    fluid, other = (vorpipe.Fluid('taylor-green', particles=100, step=0.01) for _ in range(2))
     fluid.run(steps=2)
     with pytest.raises(vorpipe.Cancelled):
         for _ in range(100):
@@ -128,7 +128,7 @@ def test_what_is_cancelled_goes_on_as_if_it_had_not_been():
 
 
 def test_ctrl_c_ends_a_run_and_the_fluid_stays_whole():
-    fluid = vorpipe.Fluid('shear', parcels=5000)
+    fluid = vorpipe.Fluid('shear', particles=5000)
     timer = threading.Timer(0.3, os.kill, (os.getpid(), signal.SIGINT))
     timer.start()
     with pytest.raises(KeyboardInterrupt):
@@ -139,7 +139,7 @@ def test_ctrl_c_ends_a_run_and_the_fluid_stays_whole():
 
 def test_it_knows_its_session():
     with vorpipe.Session('cpu', threads=1) as session:
-        fluid = vorpipe.Fluid('gresho', parcels=50, session=session)
+        fluid = vorpipe.Fluid('gresho', particles=50, session=session)
         fluid.step()
     with pytest.raises(vorpipe.DeviceError, match='closed'):
         fluid.step()
@@ -156,13 +156,13 @@ def test_wrong_arguments_are_refused_by_name():
                              ('tolerance', {'tolerance': 0}), ('volume', {'surface': 'free'}),
                              ('viscosity', {'viscosity': -1}), ('walls', {'walls': 'glue'}),
                              ('walls', {'walls': 'no-slip'}), ('domain', {'domain': [(0, 0), (1, 1)]}),
-                             ('parcels', {'parcels': 10}),
+                             ('particles', {'particles': 10}),
                              ('scheme', {'surface': 'free', 'scheme': 'projection'})):
         with pytest.raises(vorpipe.InputError, match=f'^{words}'):
             vorpipe.Fluid(points, **{'domain': UNIT, **arguments})
     for words, name, arguments in (('begin', 'dam', {}), ('domain', 'shear', {'domain': UNIT}),
-                                   ('parcels', 'shear', {'parcels': 1}), ('none.npz', 'none.npz', {}),
-                                   ('parcels', 'none.npz', {'parcels': 9})):
+                                   ('particles', 'shear', {'particles': 1}), ('none.npz', 'none.npz', {}),
+                                   ('particles', 'none.npz', {'particles': 9})):
         with pytest.raises(vorpipe.InputError, match=f'^{words}'):
             vorpipe.Fluid(name, **arguments)
     fluid = vorpipe.Fluid(points, domain=UNIT)
@@ -197,8 +197,8 @@ def test_it_begins_with_files_as_numpy_writes_them(tmp_path):
 
 
 def test_its_report_says_what_should_be_known():
-    assert vorpipe.Fluid('taylor-green', parcels=64).report.notes == []
-    fluid = vorpipe.Fluid('taylor-green', parcels=64, step=1, scheme='springs')
+    assert vorpipe.Fluid('taylor-green', particles=64).report.notes == []
+    fluid = vorpipe.Fluid('taylor-green', particles=64, step=1, scheme='springs')
     assert 'up to which springs of epsilon' in fluid.report.notes[0]
     points = vorpipe.generate('jitter', 10)
     points[3] = points[4]
@@ -239,7 +239,7 @@ def test_program_and_python_write_the_same_bytes(tmp_path):
         pytest.skip('the program is not built')
     subprocess.run([program, 'fluid', '--backend', 'cpu', '--case', 'dam-break', '--particles', '100', '--steps', '3',
                     '--quiet', '--checkpoint', 'cli.npz', '-o', 'cli.csv'], check=True, cwd=tmp_path)
-    fluid = vorpipe.Fluid('dam-break', parcels=100)
+    fluid = vorpipe.Fluid('dam-break', particles=100)
     fluid.run(steps=3)
     for name in ('npz', 'csv'):
         fluid.save(tmp_path / f'python.{name}')

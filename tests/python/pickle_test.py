@@ -192,7 +192,7 @@ def test_what_belongs_to_a_process_says_why_it_stays_there():
         pickle.dumps(session)
     for take in (pickle.dumps, copy.copy, copy.deepcopy):
         with pytest.raises(TypeError, match=r'save\(path\) writes it'):
-            take(vorpipe.Fluid('shear', parcels=20))
+            take(vorpipe.Fluid('shear', particles=20))
 
 
 def test_labels_go_along(way):

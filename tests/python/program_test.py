@@ -1,6 +1,8 @@
-"""Files are those of the command line, byte for byte."""
+"""Files are those of the command line, byte for byte, and keywords are its options."""
+import inspect
 import os
 import pathlib
+import re
 import subprocess
 
 import pytest
@@ -23,6 +25,7 @@ def program(tmp_path):
         subprocess.run([path, subcommand, '--sites', SITES, '--backend', 'cpu', '--quiet', *arguments], check=True,
                        cwd=tmp_path)
 
+    run.path = path
     return run
 
 
@@ -61,3 +64,24 @@ def test_pictures_are_those_of_the_program(program, tmp_path):
     for name in ('p.svg', 'p.pdf'):
         vorpipe.draw(sites, tmp_path / f'by_{name}', **look)
     assert [name for name in ('p.png', 'p.pgw', 'p.tif', 'p.svg', 'p.pdf') if not same(tmp_path, name)] == []
+
+
+# What the command line says in another way, and why.
+OTHERWISE = {
+    'points': '--sites names a file or a generator, these are at hand', 'path': '-o, or the file of --sites',
+    'begin': '--case or --resume, or points at hand', 'attributes': 'columns of the file',
+    'velocities': 'of the file', 'volumes': 'of the file', 'densities': 'of the file',
+    'until': '--time; a fluid has a time already, that of its state',
+    'progress': 'a function', 'callback': 'a function', 'session': 'an object'}
+# By subcommand: options that this one alone has not, since a file or a case says it.
+OF_FILES = {'fluid': {'weights', 'periodic', 'surface', 'diagrams'}}
+
+
+@pytest.mark.parametrize('function, subcommand', [
+    ('cells', 'cells'), ('render', 'render'), ('draw', 'render'), ('relax', 'relax'), ('transport', 'transport'),
+    ('Fluid', 'fluid'), ('read', 'cells'), ('selftest', 'selftest'), ('devices', 'devices'), ('Session', 'cells')])
+def test_keywords_are_the_options_of_the_command_line(program, function, subcommand):
+    text = subprocess.run([program.path, subcommand, '--help'], check=True, capture_output=True, text=True).stdout
+    options = {name.replace('-', '_') for name in re.findall(r'^ +--(?:no-)?([a-z][a-z-]+)', text, re.MULTILINE)}
+    keywords = inspect.signature(getattr(vorpipe, function)).parameters.keys()
+    assert keywords - options - OTHERWISE.keys() == OF_FILES.get(subcommand, set())

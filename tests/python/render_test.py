@@ -9,7 +9,7 @@ import vorpipe
 
 def test_each_pixel_has_its_nearest_site(backend, random):
     points = random.random((300, 2))
-    with vorpipe.Session(backend, validation=True) as session:
+    with vorpipe.Session(backend, validate=True) as session:
         picture = session.render(points, domain=(0, 0, 1, 1), size=(64, 48), check=True)
     assert picture.report.backend == backend and picture.report.validation_messages == []
     assert vorpipe.check(picture) == []

@@ -212,7 +212,7 @@ def test_numpys_false_stops_too():
     with pytest.raises(vorpipe.Cancelled):
         vorpipe.cells(points, progress=lambda stage, part: np.bool_(False))
     assert vorpipe.transport(points, domain=(0, 0, 1, 1), callback=Falsehoods()).end == 'cancelled'
-    fluid = vorpipe.Fluid('shear', parcels=20)
+    fluid = vorpipe.Fluid('shear', particles=20)
     assert fluid.run(steps=5, callback=Falsehoods()).step == 2
 
 

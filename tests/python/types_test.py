@@ -53,7 +53,7 @@ except vorpipe.InputError as error:
     subject: Optional[str] = error.subject
 owners: npt.NDArray[np.int32] = vorpipe.cells({'x': [0, 1], 'y': [1, 2], 'name': ['a', 'b']}).owner
 held: npt.NDArray[np.int64] = diagram.locate((0.5, 0.5))
-fluid = vorpipe.Fluid('shear', parcels=50, session=None)
+fluid = vorpipe.Fluid('shear', particles=50, session=None)
 fluid.run(steps=2, callback=lambda step: step.time < 1)
 velocities: npt.NDArray[np.float64] = fluid.velocities
 ended: Optional[str] = fluid.end
@@ -83,9 +83,10 @@ def test_mypy_accepts_a_program_and_refuses_a_wrong_one(tmp_path):
     checked = mypy('mypy', *STRICT, 'program.py', folder=tmp_path)
     assert checked.returncode == 0, checked.stdout + checked.stderr
     (tmp_path / 'wrong.py').write_text('import vorpipe\nx: int = vorpipe.cells([[0, 0]]).areas\n'
-                                       'vorpipe.compare(vorpipe.cells([[0, 0]]), 1)\n')
+                                       'vorpipe.compare(vorpipe.cells([[0, 0]]), 1)\n'
+                                       'vorpipe.render([[0, 0]], edges="thick")\nvorpipe.draw([[0, 0]], "", colour=1)\n')
     checked = mypy('mypy', *STRICT, 'wrong.py', folder=tmp_path)
-    assert checked.stdout.count('error:') == 2, checked.stdout
+    assert checked.stdout.count('error:') == 4, checked.stdout
 
 
 def test_the_package_is_typed_throughout(tmp_path):
