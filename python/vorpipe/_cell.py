@@ -43,7 +43,7 @@ class Cell:
 
     @property
     def _edges(self) -> slice:
-        begin, end = self._diagram.offsets[self.site : self.site + 2]
+        begin, end = self._diagram.cell_offsets[self.site : self.site + 2]
         return slice(int(begin), int(end))
 
     @property
@@ -87,7 +87,7 @@ class Cell:
     @property
     def vertices(self) -> Floats:
         """(K, 2), counter-clockwise."""
-        return self._diagram.vertices[self._edges]
+        return self._diagram.cell_vertices[self._edges]
 
     @property
     def neighbors(self) -> npt.NDArray[np.int64]:
@@ -111,7 +111,7 @@ class Cell:
 
     def rings(self) -> List[Floats]:
         """Its rings, (K, 2) each: outer ones counter-clockwise, each followed by its holes, clockwise."""
-        part, starts, vertices = self._edges, self._diagram.ring_starts, self._diagram.vertices
+        part, starts, vertices = self._edges, self._diagram.ring_starts, self._diagram.cell_vertices
         if part.start == part.stop:
             return []
         if not len(starts):

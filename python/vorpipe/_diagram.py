@@ -11,6 +11,7 @@ import numpy.typing as npt
 from . import _arguments, _attributes, _crs, _scalars, _tables, _vorpipe
 from ._arguments import Floats, PathLike
 from ._cell import Cell
+from ._names import formerly
 from ._shown import MOST_EDGES, Shown, pixels_of_cells, smaller
 from ._warnings import warn
 
@@ -53,9 +54,10 @@ class Diagram(Shown):
     """The cells of N points, in their order and units; made by `cells`.
 
     Arrays are read-only, and show the memory of the diagram without a copy; each keeps it alive. `array.copy()` can
-    be written to. Cell i has the vertices `offsets[i]` to `offsets[i + 1] - 1`, counter-clockwise. Its edge k runs
-    from its vertex k to the next and belongs to its neighbor k, so that `offsets` serves `vertices`, `neighbors` and
-    `edge_lengths`. `diagram[i]` is one cell. It can be pickled, with all that it was made from.
+    be written to. They have the names of those in an .npz file. Cell i has the vertices `cell_offsets[i]` to
+    `cell_offsets[i + 1] - 1`, counter-clockwise. Its edge k runs from its vertex k to the next and belongs to its
+    neighbor k, so that `cell_offsets` serves `cell_vertices`, `neighbors` and `edge_lengths`. `diagram[i]` is one cell.
+    It can be pickled, with all that it was made from.
     """
 
     __slots__ = ('_cells', '_index', '_locator', '_attributes')
@@ -104,7 +106,7 @@ class Diagram(Shown):
     # What it is about
 
     @property
-    def points(self) -> Floats:
+    def sites(self) -> Floats:
         """(N, 2): the points that were given. A copy with each call."""
         return self._cells.input.points
 
@@ -204,14 +206,19 @@ class Diagram(Shown):
     # By edge
 
     @property
-    def offsets(self) -> Integers:
+    def cell_offsets(self) -> Integers:
         """(N + 1,): where the vertices, neighbors and edges of each cell begin."""
         return self._cells.offsets
 
     @property
-    def vertices(self) -> Floats:
+    def neighbor_offsets(self) -> Integers:
+        """(N + 1,): the same."""
+        return self._cells.offsets
+
+    @property
+    def cell_vertices(self) -> Floats:
         """(M, 2): counter-clockwise; holes of cells in an outline clockwise."""
-        self._needs('polygons', 'vertices')
+        self._needs('polygons', 'cell_vertices')
         return self._cells.vertices
 
     @property
@@ -236,7 +243,7 @@ class Diagram(Shown):
 
     @property
     def ring_starts(self) -> Integers:
-        """Of a domain with an outline: where in `vertices` each ring begins; else of length 0."""
+        """Of a domain with an outline: where in `cell_vertices` each ring begins; else of length 0."""
         return self._cells.ring_starts
 
     @property
@@ -259,7 +266,7 @@ class Diagram(Shown):
 
     def neighbor_pairs(self) -> Integers:
         """(P, 2): pairs of points whose cells share an edge, each once, the lower index first; in ascending order."""
-        counts = np.diff(self.offsets)
+        counts = np.diff(self.cell_offsets)
         own = np.repeat(np.arange(len(self)), counts)
         other = self.neighbors
         chosen = other >= own if self.periodic != 'none' else other > own
@@ -275,10 +282,10 @@ class Diagram(Shown):
 
         In a domain with an outline a cell may be more than one ring, which is an error: `rings` has them.
         """
-        rings, offsets = self.ring_starts, self.offsets
+        rings, offsets = self.ring_starts, self.cell_offsets
         if len(rings) > np.count_nonzero(np.diff(offsets)):
             raise _scalars.refuse('outline', 'some cells have several rings, no polygon has them: call rings()')
-        return np.split(self.vertices, offsets[1:-1])
+        return np.split(self.cell_vertices, offsets[1:-1])
 
     def topology(self, threads: Optional[int] = None) -> _vorpipe.Topology:
         """The vertices and edges that cells share, each once; boundary edges have a `Wall` for their second cell."""
@@ -333,6 +340,10 @@ class Diagram(Shown):
         """
         from ._matrices import interpolated
         return interpolated(self, values, places, threads)
+
+    points = formerly('points', 'sites')
+    offsets = formerly('offsets', 'cell_offsets')
+    vertices = formerly('vertices', 'cell_vertices')
 
     # To other programs
 

@@ -8,7 +8,7 @@ from typing import Any, Callable, List, NoReturn, Optional, Sequence, Tuple, Uni
 from . import _arguments, _scalars, _vorpipe
 from ._arguments import Floats, PathLike
 from ._diagram import Diagram
-from ._names import renamed
+from ._names import formerly, renamed
 from ._picture import Picture
 from ._sessions import Session, input_of
 from ._shared import Progress, backend_for, shared
@@ -59,9 +59,9 @@ class Fluid:
     @renamed(parcels='particles')
     def __init__(self, begin: Any, velocities: Any = None, *, volumes: Any = None, densities: Any = None,
                  weights: Any = None, domain: Any = None, repair: bool = False,
-                 periodic: Union[None, bool, str] = None, surface: Optional[str] = None, particles: Optional[int] = None,
-                 gravity: Optional[Sequence[float]] = None, scheme: Optional[str] = None,
-                 viscosity: Optional[float] = None, walls: Optional[str] = None,
+                 periodic: Union[None, bool, str] = None, surface: Optional[str] = None,
+                 particles: Optional[int] = None, gravity: Optional[Sequence[float]] = None,
+                 scheme: Optional[str] = None, viscosity: Optional[float] = None, walls: Optional[str] = None,
                  step: Optional[float] = None, epsilon: Optional[float] = None, until: Optional[float] = None,
                  tolerance: Optional[float] = None, diagrams: Optional[int] = None, search: str = 'grid',
                  backend: str = 'auto', device: Union[None, int, str] = None, threads: Optional[int] = None,
@@ -142,9 +142,11 @@ class Fluid:
     # The state
 
     @property
-    def points(self) -> Floats:
+    def sites(self) -> Floats:
         """(N, 2): where they are. A copy with each call."""
         return self._fluid.points
+
+    points = formerly('points', 'sites')
 
     @property
     def weights(self) -> Floats:
@@ -236,12 +238,12 @@ class Fluid:
 
     def cells(self, detail: str = 'all', progress: Optional[Progress] = None) -> Diagram:
         """The cells of the points where they are; with a free surface they end at discs."""
-        return self._session.cells(self.points, self.weights, self.outline or self.domain, periodic=self.periodic,
+        return self._session.cells(self.sites, self.weights, self.outline or self.domain, periodic=self.periodic,
                                    surface=self.surface, detail=detail, progress=progress)
 
     def render(self, **look: Any) -> Picture:
         """A picture of these cells; `look` is as in `vorpipe.render`. Air has no color, and NO_SITE."""
-        return self._session.render(self.points, self.weights, self.outline or self.domain, periodic=self.periodic,
+        return self._session.render(self.sites, self.weights, self.outline or self.domain, periodic=self.periodic,
                                     surface=self.surface, **look)
 
     def save(self, path: PathLike) -> None:
@@ -259,5 +261,6 @@ def _named(begin: Named, particles: Optional[int], arrays: Any) -> _vorpipe.Flui
             raise _scalars.refuse(argument, f'{name} has its own')
     if particles is not None and name not in _vorpipe.fluid_cases():
         raise _scalars.refuse('particles', f'is for cases; {name} has as many as it has')
-    count = 2048 if particles is None else _scalars.whole_of('particles', particles, 4, what='is no number of at least 4')
+    count = _scalars.whole_of('particles', 2048 if particles is None else particles, 4,
+                              what='is no number of at least 4')
     return _vorpipe.FluidSetup.named(path, count)

@@ -81,14 +81,14 @@ def _square(diagram: Diagram, values: Any, rows: Any, columns: Any) -> Any:
 def _inner_edges(diagram: Diagram) -> Tuple[Any, Any, Any]:
     """Of edges between two cells: whose they are, the cell beyond, and their places among all."""
     chosen = np.flatnonzero(diagram.neighbors >= 0)
-    own = np.repeat(np.arange(len(diagram)), np.diff(diagram.offsets))
+    own = np.repeat(np.arange(len(diagram)), np.diff(diagram.cell_offsets))
     return own[chosen], diagram.neighbors[chosen], chosen
 
 
 def _middles(diagram: Diagram) -> Floats:
     """Of all edges, in the plane of the cells."""
     corners = diagram._cells.vertices_in_plane
-    begins = diagram.ring_starts if len(diagram.ring_starts) else np.unique(diagram.offsets[:-1])
+    begins = diagram.ring_starts if len(diagram.ring_starts) else np.unique(diagram.cell_offsets[:-1])
     begins = begins[begins < len(corners)]
     following = np.arange(1, len(corners) + 1)
     following[np.append(begins[1:], len(corners)) - 1] = begins

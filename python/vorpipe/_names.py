@@ -28,6 +28,16 @@ def renamed(**new_names: str) -> Callable[[_Function], _Function]:
     return decorate
 
 
+def formerly(old: str, new: str) -> property:
+    """What a class has by the name that it had."""
+
+    def get(self: Any) -> Any:
+        deprecated(f'{type(self).__name__}.{old} is {new} now')
+        return getattr(self, new)
+
+    return property(get, doc=f'`{new}`, by the name that it had.')
+
+
 def _renamed(old: str, new: str, signature: inspect.Signature, arguments: Any, named: Dict[str, Any]) -> Any:
     """The arguments without a name; those with one are changed."""
     value = named.pop(old)

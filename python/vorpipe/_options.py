@@ -87,7 +87,8 @@ class TransportOptions(DensityOptions, total=False):
 # Others are None.
 _USUAL: Dict[Any, Dict[str, Any]] = {
     CellsOptions: {'check': False, 'detail': 'all'},
-    PictureOptions: {**_vorpipe.MARKS, 'dot_size': None, 'color': 'site', 'legend': False, 'fill': True, 'check': False},
+    PictureOptions: {**_vorpipe.MARKS, 'dot_size': None, 'color': 'site', 'legend': False, 'fill': True,
+                     'check': False},
     RelaxOptions: _vorpipe.RELAX,
     TransportOptions: {**_vorpipe.TRANSPORT, 'normalize': False, 'skip_zero': False},
 }

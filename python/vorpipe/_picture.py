@@ -8,6 +8,7 @@ import numpy.typing as npt
 
 from . import _arguments, _scalars, _vorpipe
 from ._arguments import Floats, PathLike
+from ._names import formerly
 from ._shown import Shown, fewer
 
 if TYPE_CHECKING:
@@ -55,9 +56,11 @@ class Picture(Shown):
         return self._picture.owner
 
     @property
-    def points(self) -> Floats:
+    def sites(self) -> Floats:
         """(N, 2): the points that were given. A copy with each call."""
         return self._picture.input.points
+
+    points = formerly('points', 'sites')
 
     @property
     def domain(self) -> Tuple[float, float, float, float]:

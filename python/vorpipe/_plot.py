@@ -19,7 +19,7 @@ def plot_cells(diagram: Diagram, ax: Optional[Axes], color: Any, show_sites: boo
     from matplotlib.collections import PathCollection
 
     ax = _axes(ax)
-    counts = np.diff(diagram.offsets)
+    counts = np.diff(diagram.cell_offsets)
     drawn = np.flatnonzero(counts)
     options = {'edgecolor': 'black', 'linewidth': 0.5, **properties}
     paths = PathCollection(_paths(diagram, drawn), transform=ax.transData, **options)
@@ -30,8 +30,8 @@ def plot_cells(diagram: Diagram, ax: Optional[Axes], color: Any, show_sites: boo
         paths.set_array(_values(diagram, color)[drawn])
     ax.add_collection(paths, autolim=False)
     if show_sites:
-        ax.plot(*diagram.points.T, '.', color='black', markersize=2)
-    _frame(ax, diagram.vertices.min(axis=0), diagram.vertices.max(axis=0))
+        ax.plot(*diagram.sites.T, '.', color='black', markersize=2)
+    _frame(ax, diagram.cell_vertices.min(axis=0), diagram.cell_vertices.max(axis=0))
     return ax
 
 

@@ -9,6 +9,7 @@ import numpy.typing as npt
 from . import _shared, _vorpipe
 from ._arguments import Bools, Floats, PathLike
 from ._diagram import Diagram
+from ._names import formerly
 from ._scalars import call_of, path_of
 from ._shared import Progress
 from ._shown import Shown, pixels_of_cells
@@ -17,13 +18,13 @@ from ._shown import Shown, pixels_of_cells
 class Relaxed(Shown):
     """Where points have moved to, and how their energy fell; made by `relax`."""
 
-    __slots__ = ('_relaxed', '_index', '_points')
+    __slots__ = ('_relaxed', '_index', '_sites')
     _made_of = ('_relaxed', '_index')
 
     def __init__(self, relaxed: _vorpipe.Relaxed, index: Any = None) -> None:
         self._relaxed = relaxed
         self._index = index
-        self._points: Optional[Floats] = None
+        self._sites: Optional[Floats] = None
 
     def __len__(self) -> int:
         return len(self._relaxed.input)
@@ -35,11 +36,13 @@ class Relaxed(Shown):
         return pixels_of_cells(self._relaxed.moved)
 
     @property
-    def points(self) -> Floats:
+    def sites(self) -> Floats:
         """(N, 2): where they are now, in the order and unit in which they were given."""
-        if self._points is None:
-            self._points = self._relaxed.points
-        return self._points
+        if self._sites is None:
+            self._sites = self._relaxed.points
+        return self._sites
+
+    points = formerly('points', 'sites')
 
     @property
     def weights(self) -> Optional[Floats]:

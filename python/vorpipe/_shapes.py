@@ -40,7 +40,7 @@ def _shape(parts: List[Any]) -> Any:
 
 def columns_of(diagram: Diagram) -> Dict[str, Any]:
     """By the names that files have them by."""
-    x, y = diagram.points.T
+    x, y = diagram.sites.T
     columns: Dict[str, Any] = {'x': x, 'y': y}
     if diagram.weights is not None:
         columns['weight'] = diagram.weights.copy()
@@ -50,7 +50,7 @@ def columns_of(diagram: Diagram) -> Dict[str, Any]:
     if diagram.detail != 'measures':
         columns['perimeter'] = diagram.perimeters.copy()
     columns['centroid_x'], columns['centroid_y'] = diagram.centroids.T.copy()
-    columns['vertices'] = np.diff(diagram.offsets)
+    columns['vertices'] = np.diff(diagram.cell_offsets)
     if len(diagram.mass):
         columns['mass'] = diagram.mass.copy()
         columns['mass_centroid_x'], columns['mass_centroid_y'] = diagram.mass_centroids.T.copy()

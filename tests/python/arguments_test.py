@@ -16,13 +16,13 @@ POINTS = np.array([[0.2, 0.3], [0.7, 0.6], [0.4, 0.9]])
     POINTS.tolist(), [tuple(point) for point in POINTS], np.asfortranarray(POINTS), np.repeat(POINTS, 2, axis=0)[::2],
     np.column_stack((POINTS, POINTS))[:, :2], POINTS[::-1].copy()[::-1], POINTS.astype('>f8')])
 def test_any_array_like_gives_the_same_cells(points):
-    assert np.array_equal(vorpipe.cells(points).vertices, vorpipe.cells(POINTS).vertices)
+    assert np.array_equal(vorpipe.cells(points).cell_vertices, vorpipe.cells(POINTS).cell_vertices)
 
 
 def test_other_types_are_taken_as_the_numbers_that_they_are():
     single = POINTS.astype(np.float32)
-    assert np.array_equal(vorpipe.cells(single).points, single.astype(np.float64))
-    assert vorpipe.cells(np.array([[0, 0], [2, 1]], dtype=np.uint8)).points.tolist() == [[0, 0], [2, 1]]
+    assert np.array_equal(vorpipe.cells(single).sites, single.astype(np.float64))
+    assert vorpipe.cells(np.array([[0, 0], [2, 1]], dtype=np.uint8)).sites.tolist() == [[0, 0], [2, 1]]
 
 
 @pytest.mark.parametrize('kind', [np.int64, np.int32, np.uint8, bool, np.float32, object])
@@ -33,14 +33,15 @@ def test_every_array_may_be_of_integers_and_booleans(kind):
     assert diagram.mass.sum() == pytest.approx(0.5) and diagram.weights.tolist() == [1, 1, 1]
     assert vorpipe.cells(points, domain=box).locate(np.array([[1, 0]], dtype=kind)).tolist() == [1]
     assert vorpipe.transport(points, masses=ones, domain=box, normalize=True).areas == pytest.approx(1 / 3)
-    assert len(vorpipe.relax(points, density=even, domain=box, iterations=1).points) == 3
+    assert len(vorpipe.relax(points, density=even, domain=box, iterations=1).sites) == 3
     still = vorpipe.Fluid(points, np.zeros((3, 2), dtype=kind), densities=ones, domain=box, gravity=(0, 0))
     assert len(still) == 3 and len(vorpipe.drawn_points(even, 5)) == 5
 
 
 def test_a_masked_array_of_which_nothing_is_masked_is_an_array():
     masked = np.ma.masked_invalid(POINTS)
-    assert np.array_equal(vorpipe.cells(masked, np.ma.array([0, 0, 0])).vertices, vorpipe.cells(POINTS).vertices)
+    diagram = vorpipe.cells(masked, np.ma.array([0, 0, 0]))
+    assert np.array_equal(diagram.cell_vertices, vorpipe.cells(POINTS).cell_vertices)
 
 
 def test_points_are_not_changed():
@@ -136,8 +137,8 @@ OF_ANOTHER_TYPE = [
     (vorpipe.relax, ['method', 5, 'iterations', 'x', 'iterations', np.nan, 'iterations', 10**20, 'iterations', None,
                      'tolerance', 'x', 'equal_masses', 'x', 'progress', 5]),
     (vorpipe.transport, ['tolerance', None, 'diagrams', 'x', 'normalize', 'x', 'fill', 'x', 'callback', 5]),
-    (fluid, ['particles', 'x', 'particles', 10**20, 'scheme', 5, 'step', 'x', 'until', 'x', 'diagrams', 'x', 'session', 5,
-             'search', 'flann:99999999999', 'progress', 5]),
+    (fluid, ['particles', 'x', 'particles', 10**20, 'scheme', 5, 'step', 'x', 'until', 'x', 'diagrams', 'x', 'session',
+             5, 'search', 'flann:99999999999', 'progress', 5]),
     (running, ['until', 'x', 'steps', np.nan, 'steps', 'x', 'callback', 5]),
 ]
 
@@ -227,15 +228,19 @@ def test_old_names_serve_with_a_warning():
     with pytest.warns(DeprecationWarning, match='^periodic is a keyword now: periodic=$') as told:
         assert vorpipe.cells(POINTS, None, (0, 0, 1, 1), 'x').periodic == 'x'
     assert told[0].filename == __file__
+    diagram = vorpipe.cells(POINTS)
+    for old, new in (('points', 'sites'), ('offsets', 'cell_offsets'), ('vertices', 'cell_vertices')):
+        with pytest.warns(DeprecationWarning, match=f'^Diagram.{old} is {new} now$'):
+            assert np.array_equal(getattr(diagram, old), getattr(diagram, new))
 
 
 def test_options_are_those_that_there_are():
     for wrong in (lambda: vorpipe.render(POINTS, colour='area'), lambda: vorpipe.cells(POINTS, colour='area')):
         with pytest.raises(TypeError, match=r"^(render|cells)\(\) got an unexpected keyword argument 'colour'$"):
             wrong()
-    with pytest.raises(TypeError, match=r'^cells\(\) takes from 1 to 3 positional arguments'):
+    with pytest.warns(DeprecationWarning), pytest.raises(TypeError, match=r'^cells\(\) takes from 1 to 3 positional'):
         vorpipe.cells(POINTS, None, (0, 0, 1, 1), 'x', None, 'cpu')
-    with pytest.raises(TypeError, match="^render.. got multiple values for argument 'size'$"):
+    with pytest.warns(DeprecationWarning), pytest.raises(TypeError, match="^render.. got multiple values"):
         vorpipe.render(POINTS, None, (0, 0, 1, 1), 400, size=300)
 
 

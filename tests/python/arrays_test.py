@@ -7,7 +7,7 @@ import pytest
 
 import vorpipe
 
-OF_DIAGRAMS = ['status', 'owner', 'areas', 'perimeters', 'centroids', 'second_moments', 'offsets', 'vertices',
+OF_DIAGRAMS = ['status', 'owner', 'areas', 'perimeters', 'centroids', 'second_moments', 'cell_offsets', 'cell_vertices',
                'neighbors', 'edge_lengths', 'triangles', 'ring_starts', 'mass', 'mass_centroids']
 
 
@@ -37,7 +37,7 @@ def test_triangles_of_a_mesh_fill_each_cell(options):
     diagram = vorpipe.cells(points, **options)
     vertices, owners, triangles = diagram.triangle_mesh()
     assert (vertices.dtype, owners.dtype, triangles.dtype) == (np.float32, np.uint32, np.uint32)
-    assert np.array_equal(vertices, diagram.vertices.astype(np.float32))
+    assert np.array_equal(vertices, diagram.cell_vertices.astype(np.float32))
     a, b, c = vertices[triangles].astype(float).transpose(1, 0, 2)
     areas = ((b - a)[:, 0] * (c - a)[:, 1] - (b - a)[:, 1] * (c - a)[:, 0]) / 2
     assert (owners[triangles] == owners[triangles][:, :1]).all()
@@ -48,18 +48,18 @@ def test_triangles_of_a_mesh_fill_each_cell(options):
 
 
 def test_arrays_have_types_that_numpy_computes_with(diagram):
-    assert (diagram.offsets + diagram.neighbors[:1]).dtype == np.int64
-    assert diagram.points[diagram.triangles].shape == (len(diagram.triangles), 3, 2)
+    assert (diagram.cell_offsets + diagram.neighbors[:1]).dtype == np.int64
+    assert diagram.sites[diagram.triangles].shape == (len(diagram.triangles), 3, 2)
 
 
 def test_indices_have_signs_so_that_their_differences_do(diagram):
     shared = diagram.topology()
     for array in (diagram.owner, diagram.triangles, shared.vertex_of, shared.edge_of, shared.edge_vertices,
-                  vorpipe.render(diagram.points, size=(20, 20)).owner):
+                  vorpipe.render(diagram.sites, size=(20, 20)).owner):
         assert array.dtype == np.int32 and not array.flags.writeable
     one, other = diagram.triangles[:, 1], diagram.triangles[:, 2]
     assert (one - other).min() < 0 < (one - other).max()
-    found = diagram.locate([diagram.points[0], (1e9, 0)])
+    found = diagram.locate([diagram.sites[0], (1e9, 0)])
     assert found.tolist() == [0, vorpipe.NO_SITE] and found.dtype == np.int64
 
 

@@ -165,7 +165,7 @@ def test_cells_in_an_outline_have_rings_and_holes():
 def test_less_detail_takes_less_and_says_what_is_missing():
     diagram = vorpipe.cells([[0.2, 0.2], [0.7, 0.7]], domain=UNIT, detail='measures')
     assert diagram.detail == 'measures' and np.allclose(diagram.areas, [0.405, 0.595])
-    for name in ('vertices', 'perimeters', 'edge_lengths', 'second_moments', 'triangles'):
+    for name in ('cell_vertices', 'perimeters', 'edge_lengths', 'second_moments', 'triangles'):
         with pytest.raises(vorpipe.InputError, match=f'detail: {name} takes detail='):
             getattr(diagram, name)
 
@@ -226,15 +226,16 @@ def test_cells_are_saved_as_every_kind_of_file(extension, tmp_path):
 
 
 def test_arrays_of_npz_files_are_those_of_the_diagram(tmp_path, random):
-    diagram = vorpipe.cells(random.random((100, 2)))
-    diagram.save(tmp_path / 'cells.npz')
-    with np.load(tmp_path / 'cells.npz') as file:
-        for name, array in (('areas', diagram.areas), ('cell_vertices', diagram.vertices),
-                            ('neighbors', diagram.neighbors), ('cell_offsets', diagram.offsets),
-                            ('triangles', diagram.triangles), ('owners', diagram.owner),
-                            ('sites', diagram.points)):
-            # Files have indices without a sign.
-            assert np.array_equal(file[name], array) and file[name].dtype in (array.dtype, np.uint32)
+    points = random.random((100, 2))
+    diagram = vorpipe.cells(points, 0.001 * random.random(100), (0, 0, 1, 1), periodic='x', density=np.ones((2, 2)))
+    for result in (diagram, vorpipe.cells(points, domain=[(0, 0), (1, 0), (1, 1)])):
+        result.save(tmp_path / 'cells.npz')
+        with np.load(tmp_path / 'cells.npz') as file:
+            for name in file.files:
+                # All other files, and those of cells in space, have `owner`.
+                array = getattr(result, 'owner' if name == 'owners' else name)
+                # Files have indices without a sign.
+                assert np.array_equal(file[name], array) and file[name].dtype in (array.dtype, np.uint32), name
 
 
 def test_files_take_the_detail_that_they_write(tmp_path):

@@ -26,7 +26,7 @@ def test_a_vortex_keeps_its_energy_and_its_areas():
     assert [step.step for step in told] == [2, 3, 4, 5] and last.time == 0.09 and fluid.end == 'time'
     assert last.energy == pytest.approx(start.energy, rel=0.01) and last.momentum == pytest.approx((0, 0), abs=1e-9)
     assert fluid.step() is None and fluid.report.ok == 100
-    assert fluid.pressures.shape == fluid.weights.shape == (100, ) and fluid.points.shape == (100, 2)
+    assert fluid.pressures.shape == fluid.weights.shape == (100, ) and fluid.sites.shape == (100, 2)
     assert np.allclose(fluid.cells().areas, 0.01, rtol=1e-6) and np.array_equal(fluid.volumes, np.full(100, 0.01))
     assert (fluid.render(size=(20, 20)).ids != vorpipe.NO_SITE).all()
 
@@ -36,7 +36,7 @@ def test_viscosity_takes_energy_as_theory_says():
     assert wave.scheme == 'projection' and wave.viscosity == 0.02 and wave.walls == 'slip'
     first, last = wave.last, wave.run(until=1)
     assert np.log(first.kinetic / last.kinetic) == pytest.approx(8 * np.pi**2 * 0.02, rel=0.01)
-    exact = np.sin(2 * np.pi * wave.points[:, 1]) * np.exp(-4 * np.pi**2 * 0.02)
+    exact = np.sin(2 * np.pi * wave.sites[:, 1]) * np.exp(-4 * np.pi**2 * 0.02)
     error = np.sqrt(np.sum((wave.velocities[:, 0] - exact)**2 + wave.velocities[:, 1]**2) / np.sum(exact**2))
     assert last.velocity_error == pytest.approx(error, rel=1e-6) and error < 0.01
     channel = vorpipe.Fluid('channel', particles=144)
@@ -59,14 +59,14 @@ def test_walls_are_outlines(tmp_path):
     assert len(worst) > 5 and max(worst) <= 1e-6 and fluid.last.velocity_error is None
     cells = fluid.cells()
     assert np.allclose(cells.areas, inside.area / len(points), rtol=1e-5)
-    assert max(inside.distance(shapely.geometry.Point(point)) for point in fluid.points) < 1e-9
+    assert max(inside.distance(shapely.geometry.Point(point)) for point in fluid.sites) < 1e-9
     assert np.mean(fluid.render(size=(200, 100)).ids == vorpipe.NO_SITE) == pytest.approx(1 - inside.area / 2, abs=0.01)
     fluid.save(tmp_path / 'part.npz')
     again = vorpipe.Fluid(tmp_path / 'part.npz')
     assert again.viscosity == 0.001 and np.array_equal(again.outline[0][1], fluid.outline[0][1])
     fluid.run(until=2, steps=3)
     again.run(until=2, steps=3)
-    assert fluid.last.step == again.last.step and np.array_equal(fluid.points, again.points)
+    assert fluid.last.step == again.last.step and np.array_equal(fluid.sites, again.sites)
     with pytest.raises(vorpipe.InputError, match='sites: 1 of'):
         vorpipe.Fluid(np.vstack((points, (1, 0.5))), domain=inside)
     with pytest.raises(vorpipe.InputError, match='^domain: shear has its own'):
@@ -124,7 +124,7 @@ def test_what_is_cancelled_goes_on_as_if_it_had_not_been():
     reached = fluid.last.step
     fluid.run(steps=2)
     other.run(steps=fluid.last.step)
-    assert reached + 2 == other.last.step and np.array_equal(fluid.points, other.points)
+    assert reached + 2 == other.last.step and np.array_equal(fluid.sites, other.sites)
 
 
 def test_ctrl_c_ends_a_run_and_the_fluid_stays_whole():
@@ -143,7 +143,7 @@ def test_it_knows_its_session():
         fluid.step()
     with pytest.raises(vorpipe.DeviceError, match='closed'):
         fluid.step()
-    assert len(fluid.points) == len(fluid)
+    assert len(fluid.sites) == len(fluid)
 
 
 def test_wrong_arguments_are_refused_by_name():
@@ -185,9 +185,9 @@ def test_it_begins_with_files_as_numpy_writes_them(tmp_path):
     for fluid in fluids:
         fluid.run(steps=2)
     assert fluids[1].periodic == 'x' and fluids[1].scheme == 'projection'
-    assert np.array_equal(fluids[0].points, fluids[1].points)
+    assert np.array_equal(fluids[0].sites, fluids[1].sites)
     np.savez(tmp_path / 'single.npz', **{**plain, 'sites': points.astype('f4')})
-    assert np.allclose(vorpipe.Fluid(tmp_path / 'single.npz').points, points, rtol=1e-6)
+    assert np.allclose(vorpipe.Fluid(tmp_path / 'single.npz').sites, points, rtol=1e-6)
     for more, words in (({'velocities': velocity}, 'did you mean velocity'), ({'heat': 0.1}, 'known are sites'),
                         ({'periodic': 'z'}, 'not one of none, x, y, xy'), ({'step': 1.5}, 'no number of type'),
                         ({'order': np.full(30, -1)}, 'no number of type'), ({'volume': ['a'] * 30}, 'not numbers')):
@@ -218,8 +218,8 @@ def test_cells_of_a_free_surface_end_at_discs():
         assert [part.end for part in border] == [part.start for part in border[1:] + border[:1]]
         assert all((part.angle > 0) == (part.neighbor == vorpipe.Wall.OUTLINE) for part in border)
     radii = np.sqrt(found.weights)
-    away = np.hypot(*(cells.vertices - np.repeat(points, np.diff(cells.offsets), axis=0)).T)
-    assert (away <= np.repeat(radii, np.diff(cells.offsets)) * (1 + 1e-9)).all()
+    away = np.hypot(*(cells.cell_vertices - np.repeat(points, np.diff(cells.cell_offsets), axis=0)).T)
+    assert (away <= np.repeat(radii, np.diff(cells.cell_offsets)) * (1 + 1e-9)).all()
     places = np.random.default_rng(1).random((2000, 2))
     held = cells.locate(places)
     assert np.mean(held != vorpipe.NO_SITE) == pytest.approx(0.3, abs=0.05)
@@ -248,4 +248,4 @@ def test_program_and_python_write_the_same_bytes(tmp_path):
     assert again.last.step == 3 and again.surface == 'free'
     fluid.run(steps=2)
     again.run(steps=2)
-    assert np.array_equal(fluid.points, again.points) and np.array_equal(fluid.weights, again.weights)
+    assert np.array_equal(fluid.sites, again.sites) and np.array_equal(fluid.weights, again.weights)

@@ -51,7 +51,7 @@ def quietly(*arguments, **options):
 def test_columns_are_known_by_their_names_wherever_they_stand(table, y, x):
     lon, lat = zip(*CITIES)
     diagram = quietly(table({'name': NAMES, y: lat, 'people': [770, 1900, 1500], x: lon}))
-    assert diagram.points.tolist() == [list(city) for city in CITIES]
+    assert diagram.sites.tolist() == [list(city) for city in CITIES]
     assert diagram.attributes['name'].tolist() == NAMES and diagram.attributes['people'].tolist() == [770, 1900, 1500]
     assert list(diagram.attributes) == ['name', 'people']
 
@@ -80,14 +80,14 @@ def test_weights_and_radii_are_known_by_their_names(table, name, expected):
 
 def test_two_columns_whose_names_say_nothing_are_x_and_y(table):
     with pytest.warns(vorpipe.InputWarning, match="^points: 'a', 'b' are taken as x, y$"):
-        assert vorpipe.cells(table({'a': [1, 2], 'b': [3, 5]})).points.tolist() == [[1, 3], [2, 5]]
+        assert vorpipe.cells(table({'a': [1, 2], 'b': [3, 5]})).sites.tolist() == [[1, 3], [2, 5]]
 
 
 def test_numbers_for_names_are_those_of_an_array():
     pandas = pytest.importorskip('pandas')
     with warnings.catch_warnings():
         warnings.simplefilter('error')
-        assert vorpipe.cells(pandas.DataFrame(np.array(CITIES))).points.tolist() == [list(city) for city in CITIES]
+        assert vorpipe.cells(pandas.DataFrame(np.array(CITIES))).sites.tolist() == [list(city) for city in CITIES]
 
 
 @pytest.mark.parametrize('columns, message', [
@@ -114,7 +114,7 @@ def test_masked_columns_are_refused():
                          mask=[(False, False), (True, False)])
     with pytest.raises(vorpipe.InputError, match='^points: some elements are masked'):
         vorpipe.cells(masked)
-    assert vorpipe.cells(masked[:1]).points.tolist() == [[1, 2]]
+    assert vorpipe.cells(masked[:1]).sites.tolist() == [[1, 2]]
 
 
 def test_columns_of_other_lengths_are_refused():
@@ -129,7 +129,7 @@ def test_missing_values_of_pandas_are_said_to_be_no_number():
     frame = pandas.DataFrame({'x': pandas.array([1, None, 3], dtype='Int64'), 'y': [1, 2, 3]})
     with pytest.raises(vorpipe.InputError, match='^points: point 1 is not finite: nan, 2'):
         vorpipe.cells(frame)
-    assert vorpipe.cells(frame.dropna()).points.tolist() == [[1, 1], [3, 3]]
+    assert vorpipe.cells(frame.dropna()).sites.tolist() == [[1, 1], [3, 3]]
 
 
 def test_names_of_degrees_that_reach_too_far_are_of_a_plane():
@@ -152,7 +152,7 @@ class Shape:
     {'type': 'GeometryCollection', 'geometries': [{'type': 'Point', 'coordinates': city} for city in CITIES]}])
 def test_geometries_of_points_are_points(points):
     diagram = vorpipe.cells(points)
-    assert diagram.points.tolist() == [list(city) for city in CITIES]
+    assert diagram.sites.tolist() == [list(city) for city in CITIES]
     assert diagram.locate(points).tolist() == [0, 1, 2]
 
 
@@ -160,7 +160,7 @@ def test_features_are_points_with_their_properties():
     features = [{'type': 'Feature', 'properties': {'name': name, 'weight': 0.1},
                  'geometry': {'type': 'Point', 'coordinates': city}} for name, city in zip(NAMES, CITIES)]
     diagram = vorpipe.cells({'type': 'FeatureCollection', 'features': features})
-    assert diagram.points.tolist() == [list(city) for city in CITIES] and diagram.weights.tolist() == [0.1] * 3
+    assert diagram.sites.tolist() == [list(city) for city in CITIES] and diagram.weights.tolist() == [0.1] * 3
     assert diagram.attributes['name'].tolist() == NAMES
 
 
@@ -180,7 +180,7 @@ def test_points_of_shapely_are_points():
     shapes[:] = [geometry.Point(city) for city in CITIES]
     for points in (list(shapes), shapes, geometry.MultiPoint(CITIES)):
         diagram = vorpipe.cells(points)
-        assert diagram.points.tolist() == [list(city) for city in CITIES]
+        assert diagram.sites.tolist() == [list(city) for city in CITIES]
         assert diagram.locate(points).tolist() == [0, 1, 2]
     box = (5, 45, 15, 55)
     assert vorpipe.cells(CITIES, domain=box).locate(geometry.Point(9.9, 53.5)) == 1
@@ -192,7 +192,7 @@ def test_geopandas_gives_places_attributes_and_what_its_coordinates_are():
     frame = geopandas.GeoDataFrame({'name': NAMES, 'y': [0, 0, 0], 'radius': [1.0, 2.0, 3.0]}, geometry=series)
     for points in (frame, frame.geometry, series):
         diagram = quietly(points)
-        assert diagram.points.tolist() == [list(city) for city in CITIES] and diagram.crs == 'EPSG:4258'
+        assert diagram.sites.tolist() == [list(city) for city in CITIES] and diagram.crs == 'EPSG:4258'
         assert np.array_equal(diagram.locate(points), [0, 1, 2])
     diagram = quietly(frame)
     assert list(diagram.attributes) == ['name', 'y'] and diagram.attributes['name'].tolist() == NAMES
@@ -225,16 +225,16 @@ def test_a_row_of_several_points_gives_each_its_values():
     frame = geopandas.GeoDataFrame({'n': [1, 2], 'tag': ['a', None], 'weight': [0.5, 0.25]}, geometry=shapes,
                                    index=[7, 3])
     diagram = vorpipe.cells(frame)
-    assert diagram.points.tolist() == [list(city) for city in CITIES] and diagram.weights.tolist() == [0.5, 0.5, 0.25]
+    assert diagram.sites.tolist() == [list(city) for city in CITIES] and diagram.weights.tolist() == [0.5, 0.5, 0.25]
     assert diagram.attributes['n'].tolist() == [1, 1, 2] and diagram.attributes['tag'].tolist() == ['a', 'a', None]
 
 
 def test_every_function_takes_them(tmp_path):
     lon, lat = zip(*CITIES)
     table = {'y': lat, 'x': lon, 'name': NAMES}
-    points = vorpipe.cells(CITIES).points
-    assert np.array_equal(vorpipe.render(table, size=(20, 20)).points, points)
-    assert np.array_equal(vorpipe.draw(table, tmp_path / 'cells.svg').points, points)
+    points = vorpipe.cells(CITIES).sites
+    assert np.array_equal(vorpipe.render(table, size=(20, 20)).sites, points)
+    assert np.array_equal(vorpipe.draw(table, tmp_path / 'cells.svg').sites, points)
     assert len(vorpipe.relax(table, iterations=1)) == len(vorpipe.transport(table)) == 3
     assert vorpipe.forecast(table).fits and len(vorpipe.Fluid(table, domain=(5, 45, 15, 55))) == 3
     with vorpipe.Session('cpu') as session:
@@ -245,7 +245,7 @@ def test_a_path_in_place_of_points_is_read(tmp_path):
     (tmp_path / 'towns.csv').write_text('name,lat,lon\nUlm,48.4,10.0\nBonn,50.7,7.1\n')
     with pytest.warns(vorpipe.InputWarning, match='"lon", "lat" are taken as x, y; columns names others'):
         diagram = vorpipe.cells(tmp_path / 'towns.csv')
-    assert diagram.points.tolist() == [[10, 48.4], [7.1, 50.7]]
+    assert diagram.sites.tolist() == [[10, 48.4], [7.1, 50.7]]
     assert diagram.attributes['name'].tolist() == ['Ulm', 'Bonn']
     assert vorpipe.cells('random:50').domain == (0, 0, 1, 1)
     with pytest.raises(vorpipe.InputError, match='gauges.csv: '):

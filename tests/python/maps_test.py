@@ -23,8 +23,8 @@ def test_cells_of_a_plane_come_back_in_degrees(degrees):
     diagram = vorpipe.cells(degrees, domain=BOX, project='auto', check=True)
     # Of the zone from 45 to 55 degrees on WGS 84, 10 of 360 degrees.
     assert diagram.area_sum() == pytest.approx(793_000, rel=0.02)
-    assert np.array_equal(diagram.points, degrees) and diagram.crs == 'EPSG:4326'
-    low, high = diagram.vertices.min(axis=0), diagram.vertices.max(axis=0)
+    assert np.array_equal(diagram.sites, degrees) and diagram.crs == 'EPSG:4326'
+    low, high = diagram.cell_vertices.min(axis=0), diagram.cell_vertices.max(axis=0)
     assert np.allclose([*low, *high], BOX, atol=1e-3)
     assert diagram.center == pytest.approx((10, 50), abs=0.5)
     assert diagram.check() == [] and vorpipe.compare(diagram, diagram).agree
@@ -178,9 +178,9 @@ def test_cells_around_a_pole_are_polygons(tmp_path):
     diagram = vorpipe.cells([*ring, (0, 90)], domain=(-180, 60, 180, 90), project='auto')
     across = diagram[4].vertices[:, 0]
     assert across.min() == pytest.approx(157.5) and across.max() == pytest.approx(202.5)
-    assert diagram.points[4].tolist() == [180, 75]
+    assert diagram.sites[4].tolist() == [180, 75]
     geometry = pytest.importorskip('shapely.geometry', reason='there is no shapely')
     shapes = diagram.to_shapely()
     assert all(shape.is_valid for shape in shapes)
-    assert all(shape.intersects(geometry.Point(point)) for shape, point in zip(shapes, diagram.points))
+    assert all(shape.intersects(geometry.Point(point)) for shape, point in zip(shapes, diagram.sites))
     assert shapes[8].bounds[0] == -180 and shapes[8].bounds[2:] == (180, 90)

@@ -13,7 +13,7 @@ LENGTH = 1e-5
 def spread(random, count, box):
     """Points that keep some distance, so that a small step changes no neighbor."""
     points = vorpipe.generate('random', count, int(random.integers(1 << 30)), box)
-    return np.array(vorpipe.relax(points, domain=box, iterations=3).points)
+    return np.array(vorpipe.relax(points, domain=box, iterations=3).sites)
 
 
 KINDS = {'box': {'domain': UNIT}, 'outline': {'domain': FORK}, 'x': {'domain': UNIT, 'periodic': 'x'},
@@ -40,7 +40,7 @@ def test_adjacency_has_the_pairs_of_neighbors(case):
     pairs = {(int(a), int(b)) for a, b in diagram.neighbor_pairs()}
     assert {(a, b) for a, b in zip(*(part.tolist() for part in found.nonzero())) if a <= b} == pairs
     assert set(found.data) == {1}
-    within = np.bincount(np.repeat(np.arange(40), np.diff(diagram.offsets)),
+    within = np.bincount(np.repeat(np.arange(40), np.diff(diagram.cell_offsets)),
                          np.where(diagram.neighbors < 0, 0, diagram.edge_lengths), 40)
     assert np.allclose(lengths.sum(axis=1), within) and np.allclose((lengths - lengths.T).toarray(), 0, atol=1e-12)
 
@@ -56,7 +56,7 @@ def test_networkx_takes_it():
 def test_scipy_walks_over_neighbors():
     from scipy.sparse.csgraph import shortest_path
     diagram = vorpipe.cells(vorpipe.generate('square', 100), domain=UNIT)
-    order = np.lexsort(diagram.points.T)
+    order = np.lexsort(diagram.sites.T)
     assert shortest_path(diagram.adjacency(), unweighted=True, indices=order[0])[order[-1]] == 18
 
 

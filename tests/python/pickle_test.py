@@ -10,15 +10,15 @@ import vorpipe
 
 UNIT = (0, 0, 1, 1)
 FORK = [(0, 0), (3, 0), (3, 3), (2, 3), (2, 1), (1, 1), (1, 3), (0, 3)]
-OF_DIAGRAMS = ['points', 'weights', 'domain', 'crs', 'center', 'periodic', 'detail', 'status', 'owner', 'areas',
-               'centroids', 'mass', 'mass_centroids', 'offsets', 'neighbors', 'neighbor_shifts', 'ring_starts']
+OF_DIAGRAMS = ['sites', 'weights', 'domain', 'crs', 'center', 'periodic', 'detail', 'status', 'owner', 'areas',
+               'centroids', 'mass', 'mass_centroids', 'cell_offsets', 'neighbors', 'neighbor_shifts', 'ring_starts']
 OF_REPORTS = ['backend', 'device', 'driver', 'ok', 'empty', 'duplicate', 'hidden', 'retried', 'in_double', 'exact',
               'pixels', 'time_ms', 'notes', 'validation_messages']
 OF_TOPOLOGIES = ['vertices', 'vertex_of', 'edge_of', 'edge_vertices', 'edge_cells']
 OF_KEYS = ['color', 'scale', 'range', 'ticks']
-OF_POLYGONS = ['perimeters', 'second_moments', 'vertices', 'edge_lengths']
-OF_PICTURES = ['rgba', 'ids', 'status', 'owner', 'points', 'domain', 'extent']
-OF_RELAXED = ['points', 'weights', 'energy', 'hexagonal', 'farthest', 'seconds', 'taken', 'end']
+OF_POLYGONS = ['perimeters', 'second_moments', 'cell_vertices', 'edge_lengths']
+OF_PICTURES = ['rgba', 'ids', 'status', 'owner', 'sites', 'domain', 'extent']
+OF_RELAXED = ['sites', 'weights', 'energy', 'hexagonal', 'farthest', 'seconds', 'taken', 'end']
 OF_TRANSPORTED = ['weights', 'masses', 'areas', 'centroids', 'cost', 'trace', 'end', 'surface']
 PROTOCOLS = range(2, pickle.HIGHEST_PROTOCOL + 1)
 
@@ -130,7 +130,7 @@ def test_what_has_moved_comes_back_as_it_was(way, tmp_path):
     same(relaxed, copied, OF_RELAXED)
     same(relaxed.report, copied.report, OF_REPORTS)
     copied.save(tmp_path / 'points.csv')
-    assert np.array_equal(vorpipe.read(tmp_path / 'points.csv').points, relaxed.points)
+    assert np.array_equal(vorpipe.read(tmp_path / 'points.csv').points, relaxed.sites)
 
 
 @pytest.mark.parametrize('options', [{}, {'fill': 0.5}])
@@ -143,7 +143,7 @@ def test_weights_for_masses_come_back_as_they_were(way, options):
 
 def test_parts_of_results_come_back_as_they_were():
     diagram, steps = vorpipe.cells(vorpipe.generate('random', 50), domain=UNIT), []
-    vorpipe.transport(diagram.points, domain=UNIT, callback=steps.append)
+    vorpipe.transport(diagram.sites, domain=UNIT, callback=steps.append)
     for take in (again, out_of_band, copy.deepcopy):
         same(diagram.topology(), take(diagram.topology()), OF_TOPOLOGIES)
         same(diagram.report, take(diagram.report), OF_REPORTS)

@@ -17,7 +17,7 @@ def diagram():
 def test_shared_vertices_and_edges_satisfy_eulers_formula(diagram):
     shared = diagram.topology()
     assert len(shared.vertices) - len(shared.edge_cells) + len(diagram) + 1 == 2
-    assert np.array_equal(shared.vertices[shared.vertex_of], diagram.vertices)
+    assert np.array_equal(shared.vertices[shared.vertex_of], diagram.cell_vertices)
     lengths = np.linalg.norm(np.diff(shared.vertices[shared.edge_vertices], axis=1)[:, 0], axis=1)
     assert np.allclose(lengths[shared.edge_of], diagram.edge_lengths, rtol=1e-9, atol=1e-15)
 
@@ -35,9 +35,9 @@ def test_topology_takes_polygons():
 
 def test_places_have_the_nearest_point(diagram):
     places = np.random.default_rng(5).random((500, 2))
-    distances = np.linalg.norm(places[:, None] - diagram.points[None], axis=2)
+    distances = np.linalg.norm(places[:, None] - diagram.sites[None], axis=2)
     assert np.array_equal(diagram.locate(places), distances.argmin(axis=1))
-    assert np.array_equal(diagram.locate(diagram.points), np.arange(len(diagram)))
+    assert np.array_equal(diagram.locate(diagram.sites), np.arange(len(diagram)))
     assert diagram.locate([(2, 2)])[0] == vorpipe.NO_SITE
 
 

@@ -18,14 +18,14 @@ SITES = ROOT / 'tests/data/navaids.csv'
 def test_energy_falls_and_points_stay_in_the_domain():
     points = vorpipe.generate('random', 300)
     relaxed = vorpipe.relax(points, domain=(0, 0, 1, 1), method='lloyd', iterations=8)
-    assert len(relaxed) == 300 and relaxed.points.shape == (300, 2)
+    assert len(relaxed) == 300 and relaxed.sites.shape == (300, 2)
     assert np.all(np.diff(relaxed.energy) < 0) and len(relaxed.farthest) == 9
-    assert relaxed.points.min() > 0 and relaxed.points.max() < 1
+    assert relaxed.sites.min() > 0 and relaxed.sites.max() < 1
     assert relaxed.end == 'iterations' and relaxed.weights is None and relaxed.report.ok == 300
     again = vorpipe.relax(points, domain=(0, 0, 1, 1), iterations=8)
     assert again.hexagonal[-1] < relaxed.hexagonal[-1]
-    near = vorpipe.relax(relaxed.points, domain=(0, 0, 1, 1), tolerance=0.5)
-    assert near.end == 'tolerance' and np.array_equal(near.points, relaxed.points)
+    near = vorpipe.relax(relaxed.sites, domain=(0, 0, 1, 1), tolerance=0.5)
+    assert near.end == 'tolerance' and np.array_equal(near.sites, relaxed.sites)
     assert 'set beside it' in vorpipe.relax(points[[0, 1, 1]], domain=(0, 0, 1, 1)).report.notes[0]
 
 
@@ -34,7 +34,7 @@ def test_points_follow_a_density():
     points = vorpipe.drawn_points(density, 400)
     assert points.shape == (400, 2) and points[:, 0].max() < 60 and points[:, 1].max() < 40
     relaxed = vorpipe.relax(points, domain=(0, 0, 60, 40), density=density, equal_masses=True)
-    mass = vorpipe.cells(relaxed.points, domain=(0, 0, 60, 40), density=density).mass
+    mass = vorpipe.cells(relaxed.sites, domain=(0, 0, 60, 40), density=density).mass
     assert np.mean(np.abs(mass / mass.mean() - 1) < 0.15) > 0.9
 
 

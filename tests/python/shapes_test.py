@@ -102,14 +102,14 @@ def shown(value):
 
 
 def test_notebooks_show_a_small_picture(diagram):
-    drops = vorpipe.transport(diagram.points[:100], domain=(0, 0, 1, 1), fill=0.5)
-    for value in (diagram, vorpipe.cells(diagram.points[:100], domain=[(0, 0), (2, 0), (2, 1), (0, 1)]), drops,
-                  vorpipe.relax(diagram.points[:100], domain=(0, 0, 1, 1), iterations=2)):
+    drops = vorpipe.transport(diagram.sites[:100], domain=(0, 0, 1, 1), fill=0.5)
+    for value in (diagram, vorpipe.cells(diagram.sites[:100], domain=[(0, 0), (2, 0), (2, 1), (0, 1)]), drops,
+                  vorpipe.relax(diagram.sites[:100], domain=(0, 0, 1, 1), iterations=2)):
         image, caption = shown(value)
         assert max(image.size) == 400 and len(image.getcolors(1 << 20)) > 50
         assert caption.startswith(f'&lt;vorpipe.{type(value).__name__}: ') and str(len(value)) in caption
     assert shown(diagram)[0].size == (400, 400)
-    assert shown(vorpipe.cells(diagram.points, domain=(0, 0, 4, 1), detail='measures'))[0].size == (400, 100)
+    assert shown(vorpipe.cells(diagram.sites, domain=(0, 0, 4, 1), detail='measures'))[0].size == (400, 100)
     pixels = np.asarray(shown(drops)[0].convert('RGBA'))
     assert 0.4 < (pixels[..., 3] == 0).mean() < 0.6
     svg = vorpipe.cells(vorpipe.generate('random', 50), domain=(0, 0, 2, 1))._repr_svg_()

@@ -69,7 +69,7 @@ def test_generators_fill_the_box_that_is_named():
     sites, points = vorpipe.read('square:150'), vorpipe.generate('square', 150, domain=box)
     assert points.shape == (150, 2) and len(sites) == 144
     cells = vorpipe.cells(sites, domain=box)
-    assert np.array_equal(cells.points, points) and np.allclose(cells.areas, 0.01)
+    assert np.array_equal(cells.sites, points) and np.allclose(cells.areas, 0.01)
     assert vorpipe.generate('random', 500, domain=(-2, 5, 2, 6)).min(axis=0) == pytest.approx((-2, 5), abs=0.1)
     with pytest.raises(vorpipe.InputError, match='weights: 144 for the 150 points of this domain'):
         vorpipe.cells(sites, np.zeros(144), domain=box)

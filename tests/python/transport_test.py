@@ -45,7 +45,7 @@ def test_points_without_mass_can_be_left_out():
                                   attributes={'name': ['a', 'b', 'c', 'd']})
     assert np.allclose(found.areas, [0.25, 0.5, 0.25], rtol=1e-8)
     cells = found.cells()
-    assert cells.points.tolist() == [points[k] for k in (0, 2, 3)]
+    assert cells.sites.tolist() == [points[k] for k in (0, 2, 3)]
     assert cells.attributes['name'].tolist() == ['a', 'c', 'd']
     with pytest.raises(vorpipe.InputError, match='^skip_zero: is for masses'):
         vorpipe.transport(points, skip_zero=True)

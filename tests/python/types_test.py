@@ -84,7 +84,8 @@ def test_mypy_accepts_a_program_and_refuses_a_wrong_one(tmp_path):
     assert checked.returncode == 0, checked.stdout + checked.stderr
     (tmp_path / 'wrong.py').write_text('import vorpipe\nx: int = vorpipe.cells([[0, 0]]).areas\n'
                                        'vorpipe.compare(vorpipe.cells([[0, 0]]), 1)\n'
-                                       'vorpipe.render([[0, 0]], edges="thick")\nvorpipe.draw([[0, 0]], "", colour=1)\n')
+                                       'vorpipe.render([[0, 0]], edges="thick")\n'
+                                       'vorpipe.draw([[0, 0]], "", colour=1)\n')
     checked = mypy('mypy', *STRICT, 'wrong.py', folder=tmp_path)
     assert checked.stdout.count('error:') == 4, checked.stdout
 
