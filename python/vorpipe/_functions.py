@@ -190,7 +190,7 @@ def transport(points: Any, masses: Any = None, density: Any = None, domain: Any 
 
 
 def voronoi_polygons(points: Any, domain: Any = None, *, extend_to: Any = None, only_edges: bool = False,
-                     **options: Any) -> Any:
+                     by: Optional[str] = None, **options: Any) -> Any:
     """A GeoDataFrame or GeoSeries of points with their cells in place of the points.
 
     As the method of GeoPandas of this name, but each row keeps its cell, its label, its other columns and the
@@ -202,12 +202,19 @@ def voronoi_polygons(points: Any, domain: Any = None, *, extend_to: Any = None, 
             system.
         extend_to: a geometry or a box that the box around the points is to hold as well, where there is no domain.
         only_edges: a GeoSeries of lines instead, each edge of the cells once.
+        by: a column of the domain, a GeoDataFrame or a file, that names its features: cells in each feature by itself,
+            as `cells --by` of the command line has them. A row is a feature and a point whose cell meets it, with the
+            feature's name, and the "share" of it. Features of one name are one.
         options: as in `cells`. Of points in degrees project="auto" makes cells in an equal-area plane; without it
             degrees are taken as a plane, with a warning.
     """
-    from ._shapes import extended_box, with_cells
+    from ._shapes import extended_box, with_cells, with_pieces
     if not (hasattr(points, 'geometry') and hasattr(points, 'index') and hasattr(points, 'crs')):
         raise _scalars.refuse('points', f'a {type(points).__name__} is neither a GeoDataFrame nor a GeoSeries')
+    if by is not None:
+        if extend_to is not None or only_edges:
+            raise _scalars.refuse('by', 'is for polygons in features of a domain')
+        return with_pieces(points, domain, _scalars.text_of('by', by), options)
     if extend_to is not None:
         if domain is not None:
             raise _scalars.refuse('extend_to', 'is for a box around the points, and a domain is given')

@@ -1,6 +1,8 @@
 """Cells for pandas, shapely and GeoPandas, which are imported here alone."""
 from __future__ import annotations
 
+import os
+import warnings
 from typing import TYPE_CHECKING, Any, Dict, List
 
 import numpy as np
@@ -8,6 +10,7 @@ import numpy as np
 from . import _vorpipe
 from ._points import Given, given
 from ._scalars import flag_of, refuse
+from ._warnings import InputWarning
 
 if TYPE_CHECKING:
     import geopandas
@@ -109,3 +112,45 @@ def with_cells(points: Any, diagram: Diagram, only_edges: bool) -> Any:
     frame = frame.copy()
     frame[cells.name] = cells.values
     return frame
+
+
+def with_pieces(points: Any, domain: Any, by: str, options: Dict[str, Any]) -> geopandas.GeoDataFrame:
+    """A row for each feature of the domain and each point whose cell meets it, as piecesOf in C++ finds them."""
+    from geopandas import GeoDataFrame, read_file
+    from pandas import concat
+
+    from ._functions import cells
+    layer, weights = options.pop('domain_layer', None), options.pop('weights', None)
+    if isinstance(domain, (str, os.PathLike)):
+        domain = read_file(domain, layer=layer)
+    if by not in getattr(domain, 'columns', ()):
+        known = f', which has {", ".join(map(repr, domain.columns))}' if hasattr(domain, 'columns') else ''
+        raise refuse('by', f'{by!r} is no column of the domain{known}')
+    frame = points if given(points).rows is None else points.explode(index_parts=False)
+    frame = frame if hasattr(frame, 'columns') else GeoDataFrame(geometry=frame)
+    frame = frame.rename(columns={name: f'site_{name}' for name in (by, 'share') if name in frame.columns})
+    weights = None if weights is None else np.asarray(weights)
+    # The plane of a projection is around the middle of all.
+    every = domain.geometry if options.get('project') else domain.total_bounds
+    with warnings.catch_warnings():
+        # Of a feature they say what it is: without a point of its own, or of several polygons.
+        warnings.filterwarnings('ignore', 'domain: (no site lies|.* dissolved)', InputWarning)
+        whole = cells(frame, weights, every, detail='polygons', **options)
+        if whole.center is not None:
+            options = {**options, 'project': whole.center}
+        has = np.flatnonzero(np.diff(whole.cell_offsets))
+        starts = whole.cell_offsets[has]
+        low, high = np.minimum.reduceat(whole.cell_vertices, starts), np.maximum.reduceat(whole.cell_vertices, starts)
+        pieces = []
+        for name, part in domain.groupby(by, sort=False, dropna=False):
+            box = part.total_bounds
+            # Edges that are straight in the plane of a projection may reach beyond their ends.
+            near = has[((low <= box[2:]) & (high >= box[:2])).all(axis=1) | (whole.center is not None)]
+            some = frame.iloc[near]
+            own = None if weights is None else weights[near]
+            diagram = cells(some, own, part.geometry, detail='polygons', **options)
+            rows = with_cells(some, diagram, False)
+            rows.insert(0, by, name)
+            rows.insert(1, 'share', diagram.areas / diagram.area_sum())
+            pieces.append(rows[diagram.areas > 0])
+    return concat(pieces)

@@ -11,7 +11,8 @@ import vorpipe
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 SITES = ROOT / 'tests/data/navaids.csv'
-ITALY = ROOT / 'docs/examples/italy.geojson'
+EXAMPLES = ROOT / 'docs/examples'
+ITALY = EXAMPLES / 'italy.geojson'
 BOX = (5, 47, 15, 55)
 
 
@@ -64,6 +65,37 @@ def test_pictures_are_those_of_the_program(program, tmp_path):
     for name in ('p.svg', 'p.pdf'):
         vorpipe.draw(sites, tmp_path / f'by_{name}', **look)
     assert [name for name in ('p.png', 'p.pgw', 'p.tif', 'p.svg', 'p.pdf') if not same(tmp_path, name)] == []
+
+
+@pytest.mark.parametrize('project', [None, 'auto'])
+def test_cells_by_feature_are_those_of_the_program(program, tmp_path, project):
+    geopandas, pandas = pytest.importorskip('geopandas'), pytest.importorskip('pandas')
+    gauges = pandas.read_csv(EXAMPLES / 'rain.csv')
+    catchments = geopandas.read_file(EXAMPLES / 'catchments.geojson')
+    # Two features of one name are one, and one has none.
+    catchments['name'] = ['Oker', None, 'Oker']
+    gauges = geopandas.GeoDataFrame({'name': gauges.name.tolist()}, crs=catchments.crs, index=list('abcdefgh'),
+                                    geometry=geopandas.points_from_xy(gauges.x, gauges.y))
+    options = []
+    if project:
+        gauges, catchments, options = gauges.to_crs(4326), catchments.to_crs(4326), ['--project', project]
+    gauges.to_file(tmp_path / 'gauges.gpkg')
+    catchments.to_file(tmp_path / 'catchments.gpkg')
+    subprocess.run([program.path, 'cells', '--sites', 'gauges.gpkg', '--domain', 'catchments.gpkg', '--by', 'name',
+                    *options, '-o', 'shares.csv', '--quiet'], check=True, cwd=tmp_path)
+    told = pandas.read_csv(tmp_path / 'shares.csv')
+    for domain in (catchments, tmp_path / 'catchments.gpkg'):
+        shares = vorpipe.voronoi_polygons(gauges, domain=domain, by='name', project=project)
+        assert shares.name.fillna('').tolist() == told.name.fillna('').tolist()
+        assert shares.index.tolist() == [gauges.index[site] for site in told.site]
+        assert shares.site_name.tolist() == told.site_name.tolist()
+        assert shares.share.tolist() == pytest.approx(told.share.tolist(), rel=1e-12)
+        assert shares.to_crs(25832).area.tolist() == pytest.approx((told.area_km2 * 1e6).tolist(), rel=2e-3)
+    with pytest.raises(vorpipe.InputError, match="^by: 'none' is no column of the domain, which has 'name'"):
+        vorpipe.voronoi_polygons(gauges, domain=catchments, by='none')
+    for wrong in ({'domain': (0, 0, 1, 1)}, {}, {'domain': catchments, 'only_edges': True}):
+        with pytest.raises(vorpipe.InputError, match='^by: '):
+            vorpipe.voronoi_polygons(gauges, by='name', **wrong)
 
 
 # What the command line says in another way, and why.
