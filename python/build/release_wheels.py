@@ -28,9 +28,9 @@ PYBIND11_OF_PYTHON = {12: (2, 11), 13: (2, 13), 14: (3, 0)}  # the first that kn
 PYBIND11_OF_NUMPY_2 = (2, 12)
 QUESTION = '''import os, sys, sysconfig
 print(*sys.version_info[:2], os.path.exists(os.path.join(sysconfig.get_path("include"), "Python.h")))'''
-# Of NumPy, what only its tests, compilers and those who build with it use.
-NOT_COPIED = re.compile(r'(.*/)?(tests|f2py|distutils|doc|array_api|_pyinstaller)/.*|(.*/)?(setup|conftest)\.py|'
-                        r'.*/(_(?!multiarray)\w*_tests|_simd)\.\w.*\.so')
+# Of NumPy, what only its tests, compilers and those who build with it use; numpy.testing takes one module of tests.
+NOT_COPIED = re.compile(r'(.*/)?(distutils|doc|array_api|_pyinstaller)/.*|(.*/)?tests/(?!_natype).*|'
+                        r'(.*/)?(setup|conftest)\.py|.*/(_(?!multiarray)\w*_tests|_simd)\.\w.*\.so')
 
 
 def output(*command):
