@@ -65,4 +65,8 @@ void checkNearestInCells(const CheckedCells& run, const NearestSite& nearest, Ra
 /// many as some seconds allow.
 void checkNearest(const CheckedCells& run, const NearestSite& nearest, Broken& broken);
 
+/// The broken promises of cells on the globe.
+std::vector<std::string> brokenOnGlobe(const Sites& sites, const Diagram& diagram, Detail detail,
+                                       int threads);
+
 }  // namespace vorpipe::core::checks

@@ -107,7 +107,8 @@ Result<void> takeDomain(const InputOptions& options, Input& input, bool of_corne
                           {},
                           options.crs,
                           {},
-                          of_corners};
+                          of_corners,
+                           options.globe};
   if (!options.domain.file.empty()) {
     const auto attributes = options.by.empty() ? FeatureAttributes::dropped : FeatureAttributes::kept;
     auto read = readOutline(options.domain.file, options.domain_layer, attributes);
@@ -157,6 +158,7 @@ CellsOptions cellsOptionsOf(const Input& input, const SearchOptions& search) {
   cells.domain = input.domain;
   cells.outline = input.outline;
   cells.periodic = input.periodic;
+  cells.globe = input.globe;
   cells.search = search;
   return cells;
 }
@@ -170,6 +172,7 @@ DomainWords domainWords(const InputOptions& options) {
           "--project",
           "--project auto",
           "--project LON,LAT",
+          "--globe",
           "--periodic",
           "--density",
           "--density-box",

@@ -66,10 +66,23 @@ Result<void> checkMass(const Density& density, const Box& domain) {
                                     largest, least_dense, most_dense, least_mass, most_mass)));
 }
 
+/// Whether sites can have cells on the globe: places, without weights.
+Result<void> checkGlobe(const Sites& sites, const CellsOptions& options) {
+  VORPIPE_TRY(checkPlaces(sites));
+  if (hasWeights(sites)) {
+    return tl::unexpected(refusalOf(Subject::weights, "sites on the globe have none"));
+  }
+  if (!options.density.values.empty()) {
+    return tl::unexpected(refusalOf(Subject::density, "is for a plane, not for the globe"));
+  }
+  return {};
+}
+
 }  // namespace
 
 Result<void> checkOptions(const Sites& sites, const CellsOptions& options) {
   VORPIPE_TRY(checkSearch(options.search));
+  if (options.globe) return checkGlobe(sites, options);
   if (options.search.method == Search::flann && hasWeights(sites)) {
     return tl::unexpected(refusalOf(Subject::search,
                                     "of sites with weights, those beyond the nearest that FLANN finds may "
@@ -95,6 +108,7 @@ namespace vorpipe {
 Result<void> checkInput(const Sites& sites, const CellsOptions& options, int threads) {
   try {
     VORPIPE_TRY(core::checkOptions(sites, options));
+    if (options.globe) return {};
     if (options.periodic == Periodic::none) return core::checkSites(sites, options.domain, threads);
     const auto placed = core::placeSites(sites, options.domain, options.periodic, threads);
     return placed ? Result<void>{} : tl::unexpected(placed.error());

@@ -182,9 +182,20 @@ std::vector<Ring> ringsOf(const Diagram& diagram, std::size_t site) {
   return rings;
 }
 
-bool hasPolygon(const Diagram& diagram, std::size_t site) { return !ringsOf(diagram, site).empty(); }
+bool hasPolygon(const Diagram& diagram, std::size_t site) {
+  // On the globe a cell of two vertices has one, and so has the only cell.
+  if (!diagram.solid_angle.empty()) return diagram.status[site] == Status::ok;
+  return !ringsOf(diagram, site).empty();
+}
 
-CellPolygons::CellPolygons(const Diagram& diagram, std::size_t site, const CoordinateSystem& system) {
+CellPolygons::CellPolygons(const Sites& sites, const Diagram& diagram, std::size_t site,
+                           const CoordinateSystem& system) {
+  if (system.on_globe) {
+    for (auto& ring : globePolygons(sites, diagram, site)) {
+      polygons_.push_back({new_rings_.emplace_back(std::move(ring))});
+    }
+    return;
+  }
   std::optional<Round> open;
   const auto close = [&](const std::vector<Point>& back) {
     std::vector<Point> ring = std::move(open->points);

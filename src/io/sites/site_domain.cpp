@@ -311,9 +311,30 @@ void noteNowhere(const Request& request) {
                            boxText(named), words.sites, boxText(all)));
 }
 
+/// Takes the whole Earth as the domain. Patterns are spread evenly over it.
+Result<void> takeGlobe(const Request& request) {
+  const auto& [settings, placed, words] = request;
+  const bool has_domain = !settings.outline.empty() || settings.box || settings.hull || settings.margin;
+  if (has_domain || settings.project || placed.periodic != Periodic::none) {
+    return inputError(fmt::format("{}: is the whole Earth, without {}, {}, {} or {}", words.globe,
+                                  words.domain, words.margin, words.project, words.periodic));
+  }
+  if (placed.system.kind == CoordinateKind::plane) {
+    return inputError(fmt::format("{}: {} says that its coordinates are those of a plane, not degrees",
+                                  words.globe, words.sites));
+  }
+  placed.globe = true;
+  placed.system = degreesOf(placed.system);
+  placed.system.on_globe = true;
+  placed.domain = {-180, -90, 180, 90};
+  if (placed.from == SitesFrom::generator) placed.sites = spreadOverGlobe(std::move(placed.sites));
+  return {};
+}
+
 /// Finds the domain; contradictory settings were refused before.
 Result<void> foundDomain(const Request& request) {
   const auto& [settings, placed, words] = request;
+  if (settings.globe) return takeGlobe(request);
   if (settings.project) {
     VORPIPE_TRY(project(request));
     return checkReach(request);

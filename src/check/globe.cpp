@@ -1,0 +1,255 @@
+// The promises of cells on the globe.
+#include <nanoflann.hpp>
+
+#include <numbers>
+#include <unordered_map>
+
+#include "check/checks.h"
+
+namespace vorpipe::core::checks {
+namespace {
+
+constexpr double pi = std::numbers::pi, half_turn = 180;
+constexpr double earth_area =
+    510065621.7240887;  ///< km2, of WGS 84: 2 pi a^2 + pi b^2 / e ln((1 + e) / (1 - e))
+constexpr double sum_slack = 1e-12;
+
+using Vector = std::array<double, 3>;
+
+Vector toward(Point degrees) {
+  const double x = degrees.x / half_turn * pi, y = degrees.y / half_turn * pi;
+  return {std::cos(y) * std::cos(x), std::cos(y) * std::sin(x), std::sin(y)};
+}
+
+double distance(const Vector& a, const Vector& b) {
+  return std::hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]);
+}
+
+/// The sites in space.
+struct SpaceSites {
+  std::vector<Vector> at;
+  [[nodiscard]] std::size_t kdtree_get_point_count() const { return at.size(); }
+  [[nodiscard]] double kdtree_get_pt(std::uint32_t k, std::size_t axis) const { return at[k][axis]; }
+  template <class Bounds>
+  bool kdtree_get_bbox(Bounds&) const {
+    return false;
+  }
+};
+
+using Tree = nanoflann::KDTreeSingleIndexAdaptor<
+    nanoflann::L2_Simple_Adaptor<double, SpaceSites, double, std::uint32_t>, SpaceSites, 3, std::uint32_t>;
+
+class GlobeCheck {
+ public:
+  GlobeCheck(const Sites& sites, const Diagram& diagram, Detail detail, int threads)
+      : diagram_(diagram), detail_(detail), threads_(threadCount(threads)), tree_(3, placed(sites), {16}) {
+    tree_.buildIndex();
+  }
+
+  std::vector<std::string> run() {
+    if (!checkArrays()) return broken_.take();
+    checkOwners();
+    checkSums();
+    if (detail_ != Detail::measures && checkTwins()) {
+      checkPartition();
+      checkVertices();
+      checkPlaces();
+    }
+    return broken_.take();
+  }
+
+ private:
+  static constexpr std::uint32_t none = ~std::uint32_t{0};
+
+  const SpaceSites& placed(const Sites& sites) {
+    for (std::size_t i = 0; i < sites.size(); ++i) sites_.at.push_back(toward({sites.x[i], sites.y[i]}));
+    return sites_;
+  }
+
+  [[nodiscard]] std::size_t size() const { return sites_.at.size(); }
+  [[nodiscard]] std::size_t begin(std::size_t i) const { return diagram_.cell_offsets[i]; }
+  [[nodiscard]] std::size_t end(std::size_t i) const { return diagram_.cell_offsets[i + 1]; }
+  [[nodiscard]] std::size_t next(std::size_t i, std::size_t e) const {
+    return e + 1 < end(i) ? e + 1 : begin(i);
+  }
+
+  bool checkArrays() {
+    const Diagram& d = diagram_;
+    const bool by_site = d.status.size() == size() && d.owner.size() == size() && d.area.size() == size() &&
+                         d.solid_angle.size() == size() && d.centroid.size() == size() &&
+                         d.cell_offsets.size() == size() + 1 && d.cell_offsets.front() == 0 &&
+                         std::ranges::is_sorted(d.cell_offsets);
+    const auto edges = by_site ? d.cell_offsets.back() : 0;
+    const bool by_edge =
+        d.neighbors.size() == edges &&
+        (detail_ == Detail::measures || (d.vertices.size() == edges && d.edge_lengths.size() == edges));
+    if (!by_site || !by_edge) {
+      broken_.add("arrays", "their lengths do not fit the sites");
+      return false;
+    }
+    return broken_.expect("neighbors", edges, threads_, [&](std::size_t e) -> std::string {
+      const auto other = d.neighbors[e];
+      const bool is_cell = other >= 0 && static_cast<std::size_t>(other) < size() &&
+                           d.status[static_cast<std::size_t>(other)] == Status::ok;
+      return is_cell ? "" : fmt::format("{} has no cell", other);
+    });
+  }
+
+  /// A duplicate is where its owner is, and owners are where no earlier site is.
+  void checkOwners() {
+    constexpr double same = 4 * epsilon;
+    broken_.expect("owners", size(), threads_, [&](std::size_t i) -> std::string {
+      const auto owner = diagram_.owner[i];
+      const bool is_own = owner == i;
+      if (owner > i || is_own != (diagram_.status[i] == Status::ok) ||
+          (!is_own && diagram_.status[i] != Status::duplicate)) {
+        return fmt::format("site {} is owned by site {}", i, owner);
+      }
+      return distance(sites_.at[i], sites_.at[owner]) <= same
+                 ? ""
+                 : fmt::format("site {} is owned by site {}, which is elsewhere", i, owner);
+    });
+  }
+
+  void checkSums() {
+    double solid = 0, area = 0;
+    for (std::size_t i = 0; i < size(); ++i) {
+      solid += diagram_.solid_angle[i];
+      area += diagram_.area[i];
+    }
+    const double slack = sum_slack * std::max(1.0, std::sqrt(static_cast<double>(size())) / 1000);
+    if (!(std::abs(solid / (4 * pi) - 1) <= slack)) {
+      broken_.add("areas", fmt::format("solid angles add up to {}, not 4 pi", solid));
+    }
+    if (!(std::abs(area / earth_area - 1) <= slack)) {
+      broken_.add("areas", fmt::format("they add up to {} km2, the Earth has {}", area, earth_area));
+    }
+  }
+
+  /// Each edge is in both cells, with the same ends to the last bit.
+  bool checkTwins() {
+    return broken_.expect("symmetry", size(), threads_, [&](std::size_t i) -> std::string {
+      for (auto e = begin(i); e < end(i); ++e) {
+        const auto j = static_cast<std::size_t>(diagram_.neighbors[e]);
+        bool found = false;
+        for (auto f = begin(j); f < end(j) && !found; ++f) {
+          found = diagram_.neighbors[f] == static_cast<std::int64_t>(i) &&
+                  diagram_.vertices[f] == diagram_.vertices[next(i, e)] &&
+                  diagram_.vertices[next(j, f)] == diagram_.vertices[e] &&
+                  diagram_.edge_lengths[e] == diagram_.edge_lengths[f];
+        }
+        if (!found) return fmt::format("the edge of sites {} and {} is not the same in both cells", i, j);
+      }
+      return {};
+    });
+  }
+
+  /// Euler's formula on a sphere: vertices - edges + cells = 2.
+  void checkPartition() {
+    struct Hash {
+      std::size_t operator()(Point p) const {
+        return std::hash<double>()(p.x) * 31 + std::hash<double>()(p.y);
+      }
+    };
+    std::unordered_map<Point, std::size_t, Hash> vertices;
+    for (const Point p : diagram_.vertices) vertices.try_emplace(p, 0);
+    const auto cells = static_cast<std::int64_t>(std::ranges::count(diagram_.status, Status::ok));
+    const auto edges = static_cast<std::int64_t>(diagram_.vertices.size() / 2);
+    const auto points = static_cast<std::int64_t>(vertices.size());
+    if (cells > 1 && points - edges + cells != 2) {
+      broken_.add("partition", fmt::format("{} vertices, {} edges and {} cells do not cover a sphere once",
+                                           points, edges, cells));
+    }
+  }
+
+  /// How far ties may move the vertices of a cell.
+  [[nodiscard]] double slackOf(std::size_t i) const {
+    double nearest = 2;
+    double farthest = 0;
+    for (auto e = begin(i); e < end(i); ++e) {
+      const double away = distance(sites_.at[i], sites_.at[static_cast<std::size_t>(diagram_.neighbors[e])]);
+      nearest = std::min(nearest, away);
+      farthest = std::max(farthest, away);
+    }
+    constexpr double steps = 64;
+    return tie_slack * farthest + steps * epsilon / nearest;
+  }
+
+  [[nodiscard]] std::uint32_t nearestTo(const Vector& place) const {
+    std::uint32_t site = none;
+    double squared = 0;
+    nanoflann::KNNResultSet<double, std::uint32_t> found(1);
+    found.init(&site, &squared);
+    tree_.findNeighbors(found, place.data(), {});
+    return diagram_.owner[site];
+  }
+
+  /// No site is nearer to a vertex than those whose cells meet there.
+  void checkVertices() {
+    broken_.expect("nearest", size(), threads_, [&](std::size_t i) -> std::string {
+      const double slack = slackOf(i);
+      for (auto e = begin(i); e < end(i); ++e) {
+        const Vector vertex = toward(diagram_.vertices[e]);
+        const double own = distance(vertex, sites_.at[i]);
+        const auto j = static_cast<std::size_t>(diagram_.neighbors[e]);
+        if (std::abs(distance(vertex, sites_.at[j]) - own) > slack) {
+          return fmt::format("a vertex of sites {} and {} is not as far from both", i, j);
+        }
+        const auto nearest = nearestTo(vertex);
+        if (distance(vertex, sites_.at[nearest]) < own - slack) {
+          return fmt::format("site {} is nearer to a vertex of site {}", nearest, i);
+        }
+      }
+      return {};
+    });
+  }
+
+  /// Places anywhere lie in the cell of their nearest site: none of its neighbors is nearer, and from every
+  /// other cell some neighbor is.
+  void checkPlaces() {
+    constexpr std::size_t most = 20000, each = 256;
+    const std::size_t count = std::min(most, each * size());
+    Random random(1);
+    std::vector<Vector> places(count);
+    for (Vector& place : places) {
+      std::normal_distribution<double> normal;
+      for (double& x : place) x = normal(random);
+      const double length = std::hypot(place[0], place[1], place[2]);
+      for (double& x : place) x /= length;
+    }
+    broken_.expect("nearest", count, threads_, [&](std::size_t k) -> std::string {
+      const auto nearest = nearestTo(places[k]);
+      // From any cell, neighbors that are nearer lead to the nearest site.
+      std::size_t at = k % size();
+      at = diagram_.owner[at];
+      for (std::size_t steps = 0; steps <= size(); ++steps) {
+        std::size_t best = at;
+        for (auto e = begin(at); e < end(at); ++e) {
+          const auto j = static_cast<std::size_t>(diagram_.neighbors[e]);
+          if (distance(places[k], sites_.at[j]) < distance(places[k], sites_.at[best])) best = j;
+        }
+        if (best == at) break;
+        at = best;
+      }
+      const double off = distance(places[k], sites_.at[at]) - distance(places[k], sites_.at[nearest]);
+      return off <= slackOf(at) ? ""
+                                : fmt::format("a place near site {} is in the cell of site {}", nearest, at);
+    });
+  }
+
+  SpaceSites sites_;
+  const Diagram& diagram_;
+  Detail detail_;
+  int threads_;
+  Broken broken_;
+  Tree tree_;
+};
+
+}  // namespace
+
+std::vector<std::string> brokenOnGlobe(const Sites& sites, const Diagram& diagram, Detail detail,
+                                       int threads) {
+  return GlobeCheck(sites, diagram, detail, threads).run();
+}
+
+}  // namespace vorpipe::core::checks

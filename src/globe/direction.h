@@ -1,0 +1,47 @@
+/// Directions from the center of the Earth: unit vectors, and the places that they point to.
+#pragma once
+
+#include <cmath>
+
+#include "vorpipe/sites.h"
+
+namespace vorpipe::core {
+
+/// A vector in space; a unit vector where it stands for a place. z points to the north pole, x to longitude
+/// 0.
+struct Direction {
+  double x, y, z;
+  friend auto operator<=>(const Direction&, const Direction&) = default;
+};
+
+inline Direction operator+(const Direction& a, const Direction& b) {
+  return {a.x + b.x, a.y + b.y, a.z + b.z};
+}
+inline Direction operator-(const Direction& a, const Direction& b) {
+  return {a.x - b.x, a.y - b.y, a.z - b.z};
+}
+inline Direction operator-(const Direction& a) { return {-a.x, -a.y, -a.z}; }
+inline Direction operator*(double by, const Direction& a) { return {by * a.x, by * a.y, by * a.z}; }
+inline double dot(const Direction& a, const Direction& b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
+inline Direction cross(const Direction& a, const Direction& b) {
+  return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
+}
+inline double lengthOf(const Direction& a) { return std::sqrt(dot(a, a)); }
+inline Direction normalized(const Direction& a) { return 1 / lengthOf(a) * a; }
+
+/// Some unit vector at right angles to another one.
+Direction perpendicular(const Direction& a);
+
+/// The direction of a place in degrees of longitude, of any turn, and latitude. Multiples of 90 degrees are
+/// exact, and places that mirror each other in a coordinate plane have directions that do.
+Direction directionOf(Point degrees);
+
+/// The place in a direction: its longitude in (-180, 180], 0 at the poles.
+Point placeOf(const Direction& direction);
+
+/// The angle, in radians, between two unit vectors.
+inline double angleBetween(const Direction& a, const Direction& b) {
+  return std::atan2(lengthOf(cross(a, b)), dot(a, b));
+}
+
+}  // namespace vorpipe::core

@@ -1,0 +1,24 @@
+/// What cells on a sphere measure, and the Earth's area in them.
+#pragma once
+
+#include "globe/sphere_cells.h"
+
+namespace vorpipe::core {
+
+struct SphereMeasures {
+  double solid_angle = 0;  ///< steradians
+  double area = 0;         ///< km2 on the ellipsoid WGS 84
+  double perimeter = 0;    ///< radians
+  Direction centroid{};    ///< the direction of the cell's center of mass on the sphere
+};
+
+/// Measures a site's cell, which has edges.
+SphereMeasures measureCell(std::span<const Direction> sites, const SphereCells& cells, std::size_t site);
+
+/// What a site alone on the sphere has.
+SphereMeasures wholeSphere(const Direction& site);
+
+/// Radius in km of the sphere whose area is that of the ellipsoid WGS 84.
+double earthRadius();
+
+}  // namespace vorpipe::core

@@ -1,0 +1,18 @@
+/// Cells on the whole Earth: see CellsOptions::globe.
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "vorpipe/cells.h"
+#include "vorpipe/sites.h"
+
+namespace vorpipe {
+
+/// The polygons of a cell on the globe, in degrees: each a ring, counter-clockwise, whose first point is not
+/// repeated. A cell is cut at longitude 180, and a ring around a pole follows it, as RFC 7946 asks (3.1.9).
+/// Edges are great circles, with points in between: half a degree apart or less, so many that straight lines
+/// of longitude and latitude are within 1e-5 of the Earth's radius. None for a site without a cell.
+std::vector<std::vector<Point>> globePolygons(const Sites& sites, const Diagram& diagram, std::size_t site);
+
+}  // namespace vorpipe
