@@ -12,22 +12,22 @@ namespace {
 constexpr double pi = std::numbers::pi, half_turn = 180;
 constexpr double earth_area =
     510065621.7240887;  ///< km2, of WGS 84: 2 pi a^2 + pi b^2 / e ln((1 + e) / (1 - e))
-constexpr double sum_slack = 1e-12;
+constexpr double sphere_slack = 1e-12;
 
-using Vector = std::array<double, 3>;
+using SpaceVector = std::array<double, 3>;
 
-Vector toward(Point degrees) {
+SpaceVector toward(Point degrees) {
   const double x = degrees.x / half_turn * pi, y = degrees.y / half_turn * pi;
   return {std::cos(y) * std::cos(x), std::cos(y) * std::sin(x), std::sin(y)};
 }
 
-double distance(const Vector& a, const Vector& b) {
+double chordOf(const SpaceVector& a, const SpaceVector& b) {
   return std::hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]);
 }
 
 /// The sites in space.
-struct SpaceSites {
-  std::vector<Vector> at;
+struct SphereVectors {
+  std::vector<SpaceVector> at;
   [[nodiscard]] std::size_t kdtree_get_point_count() const { return at.size(); }
   [[nodiscard]] double kdtree_get_pt(std::uint32_t k, std::size_t axis) const { return at[k][axis]; }
   template <class Bounds>
@@ -37,7 +37,8 @@ struct SpaceSites {
 };
 
 using Tree = nanoflann::KDTreeSingleIndexAdaptor<
-    nanoflann::L2_Simple_Adaptor<double, SpaceSites, double, std::uint32_t>, SpaceSites, 3, std::uint32_t>;
+    nanoflann::L2_Simple_Adaptor<double, SphereVectors, double, std::uint32_t>, SphereVectors, 3,
+    std::uint32_t>;
 
 class GlobeCheck {
  public:
@@ -61,7 +62,7 @@ class GlobeCheck {
  private:
   static constexpr std::uint32_t none = ~std::uint32_t{0};
 
-  const SpaceSites& placed(const Sites& sites) {
+  const SphereVectors& placed(const Sites& sites) {
     for (std::size_t i = 0; i < sites.size(); ++i) sites_.at.push_back(toward({sites.x[i], sites.y[i]}));
     return sites_;
   }
@@ -105,7 +106,7 @@ class GlobeCheck {
           (!is_own && diagram_.status[i] != Status::duplicate)) {
         return fmt::format("site {} is owned by site {}", i, owner);
       }
-      return distance(sites_.at[i], sites_.at[owner]) <= same
+      return chordOf(sites_.at[i], sites_.at[owner]) <= same
                  ? ""
                  : fmt::format("site {} is owned by site {}, which is elsewhere", i, owner);
     });
@@ -117,7 +118,7 @@ class GlobeCheck {
       solid += diagram_.solid_angle[i];
       area += diagram_.area[i];
     }
-    const double slack = sum_slack * std::max(1.0, std::sqrt(static_cast<double>(size())) / 1000);
+    const double slack = sphere_slack * std::max(1.0, std::sqrt(static_cast<double>(size())) / 1000);
     if (!(std::abs(solid / (4 * pi) - 1) <= slack)) {
       broken_.add("areas", fmt::format("solid angles add up to {}, not 4 pi", solid));
     }
@@ -167,7 +168,7 @@ class GlobeCheck {
     double nearest = 2;
     double farthest = 0;
     for (auto e = begin(i); e < end(i); ++e) {
-      const double away = distance(sites_.at[i], sites_.at[static_cast<std::size_t>(diagram_.neighbors[e])]);
+      const double away = chordOf(sites_.at[i], sites_.at[static_cast<std::size_t>(diagram_.neighbors[e])]);
       nearest = std::min(nearest, away);
       farthest = std::max(farthest, away);
     }
@@ -175,7 +176,7 @@ class GlobeCheck {
     return tie_slack * farthest + steps * epsilon / nearest;
   }
 
-  [[nodiscard]] std::uint32_t nearestTo(const Vector& place) const {
+  [[nodiscard]] std::uint32_t nearestTo(const SpaceVector& place) const {
     std::uint32_t site = none;
     double squared = 0;
     nanoflann::KNNResultSet<double, std::uint32_t> found(1);
@@ -189,14 +190,14 @@ class GlobeCheck {
     broken_.expect("nearest", size(), threads_, [&](std::size_t i) -> std::string {
       const double slack = slackOf(i);
       for (auto e = begin(i); e < end(i); ++e) {
-        const Vector vertex = toward(diagram_.vertices[e]);
-        const double own = distance(vertex, sites_.at[i]);
+        const SpaceVector vertex = toward(diagram_.vertices[e]);
+        const double own = chordOf(vertex, sites_.at[i]);
         const auto j = static_cast<std::size_t>(diagram_.neighbors[e]);
-        if (std::abs(distance(vertex, sites_.at[j]) - own) > slack) {
+        if (std::abs(chordOf(vertex, sites_.at[j]) - own) > slack) {
           return fmt::format("a vertex of sites {} and {} is not as far from both", i, j);
         }
         const auto nearest = nearestTo(vertex);
-        if (distance(vertex, sites_.at[nearest]) < own - slack) {
+        if (chordOf(vertex, sites_.at[nearest]) < own - slack) {
           return fmt::format("site {} is nearer to a vertex of site {}", nearest, i);
         }
       }
@@ -210,8 +211,8 @@ class GlobeCheck {
     constexpr std::size_t most = 20000, each = 256;
     const std::size_t count = std::min(most, each * size());
     Random random(1);
-    std::vector<Vector> places(count);
-    for (Vector& place : places) {
+    std::vector<SpaceVector> places(count);
+    for (SpaceVector& place : places) {
       std::normal_distribution<double> normal;
       for (double& x : place) x = normal(random);
       const double length = std::hypot(place[0], place[1], place[2]);
@@ -226,18 +227,18 @@ class GlobeCheck {
         std::size_t best = at;
         for (auto e = begin(at); e < end(at); ++e) {
           const auto j = static_cast<std::size_t>(diagram_.neighbors[e]);
-          if (distance(places[k], sites_.at[j]) < distance(places[k], sites_.at[best])) best = j;
+          if (chordOf(places[k], sites_.at[j]) < chordOf(places[k], sites_.at[best])) best = j;
         }
         if (best == at) break;
         at = best;
       }
-      const double off = distance(places[k], sites_.at[at]) - distance(places[k], sites_.at[nearest]);
+      const double off = chordOf(places[k], sites_.at[at]) - chordOf(places[k], sites_.at[nearest]);
       return off <= slackOf(at) ? ""
                                 : fmt::format("a place near site {} is in the cell of site {}", nearest, at);
     });
   }
 
-  SpaceSites sites_;
+  SphereVectors sites_;
   const Diagram& diagram_;
   Detail detail_;
   int threads_;

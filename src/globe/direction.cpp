@@ -42,6 +42,21 @@ Direction directionOf(Point degrees) {
           latitude.sine + 0.0};
 }
 
+double excessOf(double weight) {
+  const double radius = std::sqrt(std::abs(weight)) / earthRadius();
+  if (weight < 0) {
+    const double sine = std::sinh(radius / 2);
+    return -2 * sine * sine / std::cosh(radius);
+  }
+  const double sine = std::sin(radius / 2);
+  return 2 * sine * sine / std::cos(radius);
+}
+
+Direction vectorOf(const Sites& sites, std::size_t site) {
+  const Direction direction = directionOf({sites.x[site], sites.y[site]});
+  return sites.weight.empty() ? direction : (1 + excessOf(sites.weight[site])) * direction;
+}
+
 Point placeOf(const Direction& direction) {
   const double across = std::hypot(direction.x, direction.y);
   if (across == 0) return {0, std::copysign(quarter_turn, direction.z)};

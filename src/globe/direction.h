@@ -2,6 +2,9 @@
 #pragma once
 
 #include <cmath>
+#include <cstddef>
+#include <span>
+#include <vector>
 
 #include "vorpipe/sites.h"
 
@@ -35,6 +38,27 @@ Direction perpendicular(const Direction& a);
 /// The direction of a place in degrees of longitude, of any turn, and latitude. Multiples of 90 degrees are
 /// exact, and places that mirror each other in a coordinate plane have directions that do.
 Direction directionOf(Point degrees);
+
+/// The sites of a sphere. A weight w of a site makes it a cap of angular radius r = sqrt(w) / R, and its cell
+/// is where x . p / cos(r) is largest among the sites (Sugihara 2002, Laguerre Voronoi diagram on the
+/// sphere): cells are what planes through the sites' vectors p / cos(r) support.
+struct SphereSites {
+  std::vector<Direction> direction;
+  std::vector<double> excess;     ///< by site: 1 / cos(r) - 1; empty without weights
+  std::vector<Direction> scaled;  ///< by site: p / cos(r); empty without weights
+
+  [[nodiscard]] std::span<const Direction> vectors() const { return scaled.empty() ? direction : scaled; }
+  [[nodiscard]] double excessOf(std::size_t site) const { return excess.empty() ? 0 : excess[site]; }
+};
+
+/// 1 / cos(r) - 1 for a weight in km2; a negative one is that of an imaginary radius.
+double excessOf(double weight);
+
+/// The vector of a site, as in SphereSites.
+Direction vectorOf(const Sites& sites, std::size_t site);
+
+/// Radius in km of the sphere whose area is that of the ellipsoid WGS 84.
+double earthRadius();
 
 /// The place in a direction: its longitude in (-180, 180], 0 at the poles.
 Point placeOf(const Direction& direction);

@@ -140,14 +140,13 @@ std::vector<std::vector<Point>> globePolygons(const Sites& sites, const Diagram&
   }
   const auto vertices = cell.vertices();
   const auto neighbors = cell.neighbors();
-  const auto directionOfSite = [&](std::size_t i) { return directionOf({sites.x[i], sites.y[i]}); };
-  const Direction own = directionOfSite(site);
+  const Direction own = vectorOf(sites, site);
   // A ring begins elsewhere than at a pole, where it would have no longitude.
   std::size_t first = 0;
   while (first + 1 < vertices.size() && std::abs(vertices[first].y) == quarter_turn) ++first;
   const auto arcAt = [&](std::size_t k) {
     const auto e = (first + k) % vertices.size(), next = (e + 1) % vertices.size();
-    return arcBetween(own, directionOfSite(static_cast<std::size_t>(neighbors[e])), directionOf(vertices[e]),
+    return arcBetween(own, vectorOf(sites, static_cast<std::size_t>(neighbors[e])), directionOf(vertices[e]),
                       directionOf(vertices[next]), next == e);
   };
   UnrolledBorder border;

@@ -60,12 +60,12 @@ double difference(double s) {
   return -s * sum;
 }
 
-/// The angle of a sine and a cosine.
-double angleOf(double sine, double cosine) {
+/// The angle whose sine and cosine are as y to x.
+double angleOf(double y, double x) {
   constexpr double small = 0.01;
-  if (!(cosine > 0 && sine < small)) return std::atan2(sine, cosine);
-  const double squared = sine * sine;
-  return sine * (1 + squared * (1.0 / 6 + squared * (3.0 / 40)));
+  if (!(std::abs(y) < small * x)) return std::atan2(y, x);
+  const double tangent = y / x, squared = tangent * tangent;
+  return tangent * (1 - squared * (1.0 / 3 - squared * (1.0 / 5 - squared * (1.0 / 7))));
 }
 
 /// Adds up a cell over short arcs of its border.
@@ -132,16 +132,17 @@ double earthRadius() { return std::sqrt(squaredRadius()); }
 
 SphereMeasures wholeSphere(const Direction& site) { return {4 * pi, 4 * pi * squaredRadius(), 0, site}; }
 
-SphereMeasures measureCell(std::span<const Direction> sites, const SphereCells& cells, std::size_t site) {
+SphereMeasures measureCell(const SphereSites& sites, const SphereCells& cells, std::size_t site) {
   constexpr double small = 1e-4, large = 1, longest = 0.25;  // radians
   const auto begin = cells.offsets[site], end = cells.offsets[site + 1];
+  const Direction& own = sites.direction[site];
   double reach = 0;
-  for (auto e = begin; e < end; ++e) reach = std::max(reach, lengthOf(cells.vertex[e] - sites[site]));
-  Direction apex = sites[site];
+  for (auto e = begin; e < end; ++e) reach = std::max(reach, lengthOf(cells.vertex[e] - own));
+  Direction apex = own;
   if (reach > large) {
     Direction center{0, 0, 0};
     for (auto e = begin; e < end; ++e) {
-      const Arc arc = arcOf(sites, cells, site, e);
+      const Arc arc = arcOf(sites.vectors(), cells, site, e);
       center = center + arc.angle * arc.axis;
     }
     apex = normalized(center);
@@ -154,7 +155,7 @@ SphereMeasures measureCell(std::span<const Direction> sites, const SphereCells& 
       sums.add(from, to);
       continue;
     }
-    const Arc arc = arcOf(sites, cells, site, e);
+    const Arc arc = arcOf(sites.vectors(), cells, site, e);
     const int pieces = static_cast<int>(std::ceil(arc.angle / longest));
     Direction last = from;
     for (int k = 1; k <= pieces; ++k) {

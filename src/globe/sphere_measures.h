@@ -13,12 +13,9 @@ struct SphereMeasures {
 };
 
 /// Measures a site's cell, which has edges.
-SphereMeasures measureCell(std::span<const Direction> sites, const SphereCells& cells, std::size_t site);
+SphereMeasures measureCell(const SphereSites& sites, const SphereCells& cells, std::size_t site);
 
 /// What a site alone on the sphere has.
 SphereMeasures wholeSphere(const Direction& site);
-
-/// Radius in km of the sphere whose area is that of the ellipsoid WGS 84.
-double earthRadius();
 
 }  // namespace vorpipe::core

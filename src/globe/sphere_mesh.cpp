@@ -14,8 +14,8 @@ namespace {
 
 constexpr std::size_t sphere_grain = std::size_t{1} << 14;
 
-/// The outermost sites in 14 directions; the same for any order of the sites.
-std::array<std::uint32_t, 14> outermost(std::span<const Direction> sites) {
+/// The outermost sites in 14 directions, and the heaviest; the same for any order of the sites.
+std::vector<std::uint32_t> outermost(const SphereSites& sites) {
   constexpr std::array<Direction, 14> ways{{{0, 0, -1},
                                             {0, 0, 1},
                                             {0, -1, 0},
@@ -30,30 +30,44 @@ std::array<std::uint32_t, 14> outermost(std::span<const Direction> sites) {
                                             {1, -1, 1},
                                             {-1, 1, 1},
                                             {1, 1, 1}}};
-  std::array<std::uint32_t, 14> found{};
+  const auto vectors = sites.vectors();
+  std::vector<std::uint32_t> found(ways.size());
   for (std::size_t k = 0; k < ways.size(); ++k) {
     const auto before = [&](std::uint32_t a, std::uint32_t b) {
-      const double of_a = dot(ways[k], sites[a]), of_b = dot(ways[k], sites[b]);
-      return of_a != of_b ? of_a > of_b : sites[a] < sites[b];
+      const double of_a = dot(ways[k], vectors[a]), of_b = dot(ways[k], vectors[b]);
+      return of_a != of_b ? of_a > of_b : vectors[a] < vectors[b];
     };
-    for (std::uint32_t i = 1; i < sites.size(); ++i) {
+    for (std::uint32_t i = 1; i < vectors.size(); ++i) {
       if (before(i, found[k])) found[k] = i;
     }
   }
+  const auto& excess = sites.excess;
+  if (excess.empty()) return found;
+  found.push_back(static_cast<std::uint32_t>(std::ranges::max_element(excess) - excess.begin()));
   return found;
 }
 
-/// A site to project from: of some, the one farthest from the next site. A near one would make the plane
-/// wide.
-std::uint32_t centerOf(std::span<const Direction> sites) {
+/// How far a site's vector is below the plane through the center's that is at right angles to it. Also
+/// returns, as `squared`, the squared distance of their directions.
+double depthOf(const SphereSites& sites, std::uint32_t center, std::uint32_t site, double& squared) {
+  const Direction way = sites.direction[site] - sites.direction[center];
+  squared = dot(way, way);
+  const double excess = sites.excessOf(site);
+  return sites.excessOf(center) - excess + (1 + excess) * squared / 2;
+}
+
+/// A site to project from: of some, the one whose plane the others are farthest below. Where one is near, the
+/// plane becomes wide. The heaviest has all others below it, save those with which it coincides.
+std::uint32_t centerOf(const SphereSites& sites) {
   std::uint32_t best = 0;
-  double farthest = -1;
+  double farthest = -std::numeric_limits<double>::infinity();
   for (const auto candidate : outermost(sites)) {
     double nearest = std::numeric_limits<double>::infinity();
-    for (const Direction& site : sites) {
-      const Direction way = site - sites[candidate];
-      const double squared = dot(way, way);
-      if (squared > 0) nearest = std::min(nearest, squared);
+    for (std::uint32_t i = 0; i < sites.direction.size(); ++i) {
+      double squared = 0;
+      const double depth = depthOf(sites, candidate, i, squared);
+      // A site in the same direction is hidden, unless it is heavier.
+      if (squared > 0 || depth < 0) nearest = std::min(nearest, depth);
     }
     if (nearest > farthest) {
       farthest = nearest;
@@ -63,27 +77,36 @@ std::uint32_t centerOf(std::span<const Direction> sites) {
   return best;
 }
 
-/// The sites in the plane, seen from outside of the sphere: without those that coincide with the center.
+/// The sites in the plane, seen from outside of the sphere: without those in the direction of the center.
 struct PlaneSites {
   Sites sites;
   std::vector<std::uint32_t> site;  ///< by site in the plane
 };
 
-PlaneSites projectFrom(const Direction& center, std::span<const Direction> sites, int threads) {
+PlaneSites projectFrom(std::uint32_t from, const SphereSites& sites, int threads) {
+  const Direction& center = sites.direction[from];
   PlaneSites plane;
-  for (std::uint32_t i = 0; i < sites.size(); ++i) {
-    if (sites[i] != center) plane.site.push_back(i);
+  for (std::uint32_t i = 0; i < sites.direction.size(); ++i) {
+    if (sites.direction[i] != center) plane.site.push_back(i);
   }
   const auto count = plane.site.size();
   plane.sites.x.resize(count);
   plane.sites.y.resize(count);
+  if (!sites.excess.empty()) plane.sites.weight.resize(count);
+  const double own = sites.excessOf(from);
   const Direction right = perpendicular(center), up = cross(right, center);
   parallelFor(count, sphere_grain, threads, [&](std::size_t begin, std::size_t end) {
     for (auto k = begin; k < end; ++k) {
-      const Direction way = sites[plane.site[k]] - center;
-      const double half = dot(way, way) / 2;
-      plane.sites.x[k] = dot(right, way) / half;
-      plane.sites.y[k] = dot(up, way) / half;
+      const auto site = plane.site[k];
+      double squared = 0;
+      const double depth = depthOf(sites, from, site, squared);
+      const double excess = sites.excessOf(site), scale = (1 + excess) / depth;
+      const Direction way = sites.direction[site] - center;
+      plane.sites.x[k] = scale * dot(right, way);
+      plane.sites.y[k] = scale * dot(up, way);
+      if (plane.sites.weight.empty()) continue;
+      const double lack = own - excess;
+      plane.sites.weight[k] = ((1 + excess) * squared * own - lack * (2 - lack)) / (depth * depth);
     }
   });
   return plane;
@@ -113,29 +136,52 @@ void closeAround(std::uint32_t center, std::vector<std::array<std::uint32_t, 3>>
   }
 }
 
-/// Sites on a line of the plane, in order: on the sphere they follow each other around a circle.
+/// Drops sites on a line, given in order, that weights hide: those above the lower hull of x^2 + y^2 - w.
+void dropHidden(const Sites& sites, std::vector<std::uint32_t>& order) {
+  const auto first = order.front();
+  const auto along = [&](std::uint32_t k) {
+    return std::hypot(sites.x[k] - sites.x[first], sites.y[k] - sites.y[first]);
+  };
+  const auto height = [&](std::uint32_t k) { return along(k) * along(k) - sites.weight[k]; };
+  std::size_t kept = 0;
+  for (const auto k : order) {
+    while (kept >= 2) {
+      const auto a = order[kept - 2], b = order[kept - 1];
+      if ((height(b) - height(a)) * (along(k) - along(b)) < (height(k) - height(b)) * (along(b) - along(a)))
+        break;
+      --kept;
+    }
+    order[kept++] = k;
+  }
+  order.resize(kept);
+}
+
+/// Sites on a line of the plane that have cells, in order: on the sphere they follow each other around a
+/// circle.
 std::vector<std::uint32_t> alongLine(const PlaneSites& plane, const std::vector<std::uint32_t>& owner) {
   std::vector<std::uint32_t> order;
   for (std::uint32_t k = 0; k < plane.site.size(); ++k) {
     if (owner[plane.site[k]] == plane.site[k]) order.push_back(k);
   }
-  std::ranges::sort(order, {}, [&](auto k) { return std::pair(plane.sites.x[k], plane.sites.y[k]); });
+  const auto& [x, y, weight] = plane.sites;
+  std::ranges::sort(order, {}, [&](auto k) { return std::pair(x[k], y[k]); });
+  if (!weight.empty()) dropHidden(plane.sites, order);
   for (auto& k : order) k = plane.site[k];
   return order;
 }
 
 }  // namespace
 
-Result<SphereMesh> triangulateSphere(const Machine& machine, std::span<const Direction> sites,
+Result<SphereMesh> triangulateSphere(const Machine& machine, const SphereSites& sites,
                                      const CellsOptions& options, Report& report) {
+  const auto& directions = sites.direction;
   SphereMesh mesh;
-  mesh.owner.resize(sites.size());
+  mesh.owner.resize(directions.size());
   std::iota(mesh.owner.begin(), mesh.owner.end(), 0u);
   const auto center = centerOf(sites);
-  const PlaneSites plane = projectFrom(sites[center], sites, machine.threads);
-  const auto first = static_cast<std::uint32_t>(std::ranges::find(sites, sites[center]) - sites.begin());
-  for (std::uint32_t i = 0; i < sites.size(); ++i) {
-    if (sites[i] == sites[center]) mesh.owner[i] = first;
+  const PlaneSites plane = projectFrom(center, sites, machine.threads);
+  for (std::uint32_t i = 0; i < directions.size(); ++i) {
+    if (directions[i] == directions[center]) mesh.owner[i] = center;
   }
   if (!plane.site.empty()) {
     CellsOptions in_plane;
@@ -154,9 +200,9 @@ Result<SphereMesh> triangulateSphere(const Machine& machine, std::span<const Dir
   }
   if (mesh.triangles.empty()) {
     mesh.circle = alongLine(plane, mesh.owner);
-    mesh.circle.push_back(first);
+    mesh.circle.push_back(center);
   } else {
-    closeAround(first, mesh.triangles, sites.size());
+    closeAround(center, mesh.triangles, directions.size());
   }
   return mesh;
 }

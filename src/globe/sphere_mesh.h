@@ -11,20 +11,23 @@
 
 namespace vorpipe::core {
 
-/// Triangles between sites on a sphere, closed around it: no site is inside the circle of one.
+/// Triangles between sites on a sphere, closed around it: no site is inside the circle of one. With weights,
+/// the hull of the sites' vectors.
 struct SphereMesh {
-  std::vector<std::uint32_t> owner;  ///< by site: the first site in the same direction
+  std::vector<std::uint32_t>
+      owner;  ///< by site: the site that has the cell of this direction: the heaviest, of those the first
   /// Counter-clockwise seen from outside, from the lowest index. Empty if all sites lie on one circle.
   std::vector<std::array<std::uint32_t, 3>> triangles;
-  /// Otherwise all distinct sites, counter-clockwise around the circle's axis.
+  /// Otherwise all sites with cells, counter-clockwise around the circle's axis.
   std::vector<std::uint32_t> circle;
 };
 
 /// Triangulates sites on the unit sphere. It projects the sphere to a plane from one of the sites
 /// (stereographic): circles remain circles, and those through that site become lines. So the triangulation of
-/// the others in the plane, and triangles from its hull to that site, are the one on the sphere. Errors: as
-/// in Session::cells.
-Result<SphereMesh> triangulateSphere(const Machine& machine, std::span<const Direction> sites,
+/// the others in the plane, and triangles from its hull to that site, are the one on the sphere. With weights
+/// it is the projective map that takes this site to infinity, and the plane's sites have weights too
+/// (globe.md). Errors: as in Session::cells.
+Result<SphereMesh> triangulateSphere(const Machine& machine, const SphereSites& sites,
                                      const CellsOptions& options, Report& report);
 
 }  // namespace vorpipe::core

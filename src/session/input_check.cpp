@@ -9,7 +9,9 @@
 #include "base/try.h"
 #include "cells/flann_search.h"
 #include "domain/cell_mass.h"
+#include "domain/degrees.h"
 #include "domain/rings.h"
+#include "globe/direction.h"
 #include "sites/images.h"
 #include "sites/site_set.h"
 #include "sites/weights.h"
@@ -66,11 +68,17 @@ Result<void> checkMass(const Density& density, const Box& domain) {
                                     largest, least_dense, most_dense, least_mass, most_mass)));
 }
 
-/// Whether sites can have cells on the globe: places, without weights.
+/// Whether sites can have cells on the globe: places, whose weights are those of caps below a quarter turn.
 Result<void> checkGlobe(const Sites& sites, const CellsOptions& options) {
   VORPIPE_TRY(checkPlaces(sites));
-  if (hasWeights(sites)) {
-    return tl::unexpected(refusalOf(Subject::weights, "sites on the globe have none"));
+  const double most = std::pow(quarter_turn * degree * earthRadius(), 2);
+  for (std::size_t i = 0; i < sites.weight.size(); ++i) {
+    if (std::isfinite(sites.weight[i]) && std::abs(sites.weight[i]) < most) continue;
+    return tl::unexpected(refusalOf(
+        Subject::weights,
+        fmt::format("site {}: weight {}; on the globe it is the square of a radius below a quarter of the "
+                    "Earth, {:.0f} km",
+                    i, sites.weight[i], std::sqrt(most))));
   }
   if (!options.density.values.empty()) {
     return tl::unexpected(refusalOf(Subject::density, "is for a plane, not for the globe"));

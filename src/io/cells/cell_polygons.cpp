@@ -190,12 +190,16 @@ bool hasPolygon(const Diagram& diagram, std::size_t site) {
 
 CellPolygons::CellPolygons(const Sites& sites, const Diagram& diagram, std::size_t site,
                            const CoordinateSystem& system) {
-  if (system.on_globe) {
-    for (auto& ring : globePolygons(sites, diagram, site)) {
-      polygons_.push_back({new_rings_.emplace_back(std::move(ring))});
-    }
+  if (!system.on_globe) {
+    *this = CellPolygons(diagram, site, system);
     return;
   }
+  for (auto& ring : globePolygons(sites, diagram, site)) {
+    polygons_.push_back({new_rings_.emplace_back(std::move(ring))});
+  }
+}
+
+CellPolygons::CellPolygons(const Diagram& diagram, std::size_t site, const CoordinateSystem& system) {
   std::optional<Round> open;
   const auto close = [&](const std::vector<Point>& back) {
     std::vector<Point> ring = std::move(open->points);

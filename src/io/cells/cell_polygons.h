@@ -38,6 +38,8 @@ class CellPolygons {
  public:
   using Rings = std::vector<std::span<const Point>>;
 
+  CellPolygons(const Diagram& diagram, std::size_t site, const CoordinateSystem& system);
+  /// Also of cells on the globe.
   CellPolygons(const Sites& sites, const Diagram& diagram, std::size_t site, const CoordinateSystem& system);
 
   [[nodiscard]] bool empty() const { return polygons_.empty(); }
