@@ -51,6 +51,13 @@ struct SphereSites {
   [[nodiscard]] double excessOf(std::size_t site) const { return excess.empty() ? 0 : excess[site]; }
 };
 
+/// How far a site's vector is below the plane through another's that is at right angles to it.
+inline double depthOf(const SphereSites& sites, std::size_t other, std::size_t site) {
+  const Direction way = sites.direction[site] - sites.direction[other];
+  const double excess = sites.excessOf(site);
+  return sites.excessOf(other) - excess + (1 + excess) * dot(way, way) / 2;
+}
+
 /// 1 / cos(r) - 1 for a weight in km2; a negative one is that of an imaginary radius.
 double excessOf(double weight);
 

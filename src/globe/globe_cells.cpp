@@ -87,7 +87,7 @@ Result<Diagram> globeCellsOn(const Machine& machine, const Sites& sites, const C
   Diagram diagram;
   VORPIPE_VAR(mesh, triangulateSphere(machine, placed, options, diagram.report));
   const Stopwatch watch;
-  VORPIPE_LET(cells, cellsOfSphere(placed.vectors(), mesh, threads));
+  VORPIPE_LET(cells, cellsOfSphere(placed, mesh, threads));
   diagram.owner = std::move(mesh.owner);
   writeDiagram(placed, sites, cells, options.detail, threads, diagram);
   if (options.detail == Detail::everything) diagram.triangles = std::move(mesh.triangles);

@@ -16,18 +16,27 @@ namespace {
 
 constexpr std::size_t cells_grain = 4096;
 
-/// The center of a triangle's circle.
+/// The direction in which three sites share a vertex.
 struct Center {
   Direction at;
   double rounding;  ///< how far rounding may move it, in radians
 };
 
-Center centerOf(std::span<const Direction> sites, const std::array<std::uint32_t, 3>& t) {
-  constexpr double few = 8;
-  const Direction a = sites[t[1]] - sites[t[0]], b = sites[t[2]] - sites[t[0]];
+/// At right angles to the plane through the three vectors. Near a site it is that site's direction p plus the
+/// part of a vector at right angles to that plane: (p + u) . (v - w) = 0 for its vector v and both others, w.
+/// That keeps the digits of sites that are near to each other.
+Center centerOf(const SphereSites& sites, const std::array<std::uint32_t, 3>& t) {
+  constexpr double few = 8, near = 0.5, epsilon = std::numeric_limits<double>::epsilon();
+  const auto vectors = sites.vectors();
+  const Direction a = vectors[t[1]] - vectors[t[0]], b = vectors[t[2]] - vectors[t[0]];
   const Direction across = cross(a, b);
   const double size = lengthOf(across), longest = std::max(lengthOf(a), lengthOf(b));
-  return {1 / size * across, few * std::numeric_limits<double>::epsilon() * longest / size};
+  const auto depth = [&](std::uint32_t site) { return depthOf(sites, t[0], site); };
+  const Direction way = 1 / (size * size) * (depth(t[1]) * cross(b, across) + depth(t[2]) * cross(across, a));
+  if (lengthOf(way) < near && dot(sites.direction[t[0]], across) > 0) {
+    return {normalized(sites.direction[t[0]] + way), few * epsilon * (1 + longest * longest / size)};
+  }
+  return {1 / size * across, few * epsilon * longest / size};
 }
 
 /// The triangles around each site: one that has the sites `first` and `second` after it, counter-clockwise.
@@ -37,8 +46,12 @@ struct Corner {
 
 class Rows {
  public:
-  Rows(std::span<const Direction> sites, const SphereMesh& mesh, int threads)
-      : sites_(sites), mesh_(mesh), threads_(threads), joined_(mesh.triangles.size()) {}
+  Rows(const SphereSites& sites, const SphereMesh& mesh, int threads)
+      : sites_(sites),
+        vectors_(sites.vectors()),
+        mesh_(mesh),
+        threads_(threads),
+        joined_(mesh.triangles.size()) {}
 
   Result<SphereCells> run() {
     findCenters();
@@ -52,7 +65,7 @@ class Rows {
  private:
   template <class Work>
   void eachSite(const Work& work) {
-    parallelFor(sites_.size(), cells_grain, threads_, [&](std::size_t begin, std::size_t end) {
+    parallelFor(vectors_.size(), cells_grain, threads_, [&](std::size_t begin, std::size_t end) {
       for (auto site = begin; site < end; ++site) work(site);
     });
   }
@@ -65,11 +78,11 @@ class Rows {
   }
 
   void listCorners() {
-    offsets_.assign(sites_.size() + 1, 0);
+    offsets_.assign(vectors_.size() + 1, 0);
     for (const auto& t : mesh_.triangles) {
       for (const auto site : t) ++offsets_[site + std::size_t{1}];
     }
-    for (std::size_t i = 0; i < sites_.size(); ++i) offsets_[i + 1] += offsets_[i];
+    for (std::size_t i = 0; i < vectors_.size(); ++i) offsets_[i + 1] += offsets_[i];
     corners_.resize(offsets_.back());
     auto next = offsets_;
     for (std::uint32_t k = 0; k < mesh_.triangles.size(); ++k) {
@@ -109,7 +122,7 @@ class Rows {
       const auto t = before(around, k).triangle, next = around[k].triangle;
       const Center &a = centers_[t], &b = centers_[next];
       const double length = lengthOf(b.at - a.at);
-      const double tie = shortest_edge * lengthOf(sites_[other] - sites_[site]);
+      const double tie = shortest_edge * lengthOf(vectors_[other] - vectors_[site]);
       if (length <= std::max(tie, a.rounding + b.rounding)) joined_.join(t, next);
     }
   }
@@ -133,12 +146,12 @@ class Rows {
 
   Result<SphereCells> write() {
     SphereCells cells;
-    cells.offsets.assign(sites_.size() + 1, 0);
+    cells.offsets.assign(vectors_.size() + 1, 0);
     eachSite([&](std::size_t site) {
       const auto around = cornersOf(site);
       for (std::size_t k = 0; k < around.size(); ++k) cells.offsets[site + 1] += isTie(around, k) ? 0u : 1u;
     });
-    for (std::size_t i = 0; i < sites_.size(); ++i) {
+    for (std::size_t i = 0; i < vectors_.size(); ++i) {
       const bool has_cell = offsets_[i + 1] > offsets_[i];
       if (has_cell && cells.offsets[i + 1] < 2) {
         return tl::unexpected(refusalOf(
@@ -160,7 +173,8 @@ class Rows {
     return cells;
   }
 
-  std::span<const Direction> sites_;
+  const SphereSites& sites_;
+  std::span<const Direction> vectors_;
   const SphereMesh& mesh_;
   int threads_;
   DisjointSets joined_;
@@ -217,8 +231,8 @@ SphereCells slices(std::span<const Direction> sites, const std::vector<std::uint
 
 }  // namespace
 
-Result<SphereCells> cellsOfSphere(std::span<const Direction> sites, const SphereMesh& mesh, int threads) {
-  if (!mesh.circle.empty()) return slices(sites, mesh.circle);
+Result<SphereCells> cellsOfSphere(const SphereSites& sites, const SphereMesh& mesh, int threads) {
+  if (!mesh.circle.empty()) return slices(sites.vectors(), mesh.circle);
   return Rows(sites, mesh, threads).run();
 }
 

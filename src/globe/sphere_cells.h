@@ -21,7 +21,7 @@ struct SphereCells {
 };
 
 /// Error (input): sites so near to each other that rounding leaves one without edges.
-Result<SphereCells> cellsOfSphere(std::span<const Direction> sites, const SphereMesh& mesh, int threads);
+Result<SphereCells> cellsOfSphere(const SphereSites& sites, const SphereMesh& mesh, int threads);
 
 /// A part of a great circle, as of an edge.
 struct Arc {

@@ -47,15 +47,6 @@ std::vector<std::uint32_t> outermost(const SphereSites& sites) {
   return found;
 }
 
-/// How far a site's vector is below the plane through the center's that is at right angles to it. Also
-/// returns, as `squared`, the squared distance of their directions.
-double depthOf(const SphereSites& sites, std::uint32_t center, std::uint32_t site, double& squared) {
-  const Direction way = sites.direction[site] - sites.direction[center];
-  squared = dot(way, way);
-  const double excess = sites.excessOf(site);
-  return sites.excessOf(center) - excess + (1 + excess) * squared / 2;
-}
-
 /// A site to project from: of some, the one whose plane the others are farthest below. Where one is near, the
 /// plane becomes wide. The heaviest has all others below it, save those with which it coincides.
 std::uint32_t centerOf(const SphereSites& sites) {
@@ -64,10 +55,10 @@ std::uint32_t centerOf(const SphereSites& sites) {
   for (const auto candidate : outermost(sites)) {
     double nearest = std::numeric_limits<double>::infinity();
     for (std::uint32_t i = 0; i < sites.direction.size(); ++i) {
-      double squared = 0;
-      const double depth = depthOf(sites, candidate, i, squared);
+      const double depth = depthOf(sites, candidate, i);
       // A site in the same direction is hidden, unless it is heavier.
-      if (squared > 0 || depth < 0) nearest = std::min(nearest, depth);
+      const bool is_same = sites.direction[i] == sites.direction[candidate];
+      if (!is_same || depth < 0) nearest = std::min(nearest, depth);
     }
     if (nearest > farthest) {
       farthest = nearest;
@@ -98,14 +89,13 @@ PlaneSites projectFrom(std::uint32_t from, const SphereSites& sites, int threads
   parallelFor(count, sphere_grain, threads, [&](std::size_t begin, std::size_t end) {
     for (auto k = begin; k < end; ++k) {
       const auto site = plane.site[k];
-      double squared = 0;
-      const double depth = depthOf(sites, from, site, squared);
+      const double depth = depthOf(sites, from, site);
       const double excess = sites.excessOf(site), scale = (1 + excess) / depth;
       const Direction way = sites.direction[site] - center;
       plane.sites.x[k] = scale * dot(right, way);
       plane.sites.y[k] = scale * dot(up, way);
       if (plane.sites.weight.empty()) continue;
-      const double lack = own - excess;
+      const double lack = own - excess, squared = dot(way, way);
       plane.sites.weight[k] = ((1 + excess) * squared * own - lack * (2 - lack)) / (depth * depth);
     }
   });
