@@ -32,49 +32,54 @@ SphereSites placedOn(const Sites& sites, int threads) {
   return placed;
 }
 
-/// Writes a cell's measures and its row.
+/// Writes a cell's measures.
 void writeCell(const SphereSites& sites, const SphereCells& cells, std::size_t site, Diagram& diagram) {
   const auto begin = cells.offsets[site], end = cells.offsets[site + 1];
-  const double radius = earthRadius();
+  std::span<double> lengths;
+  if (!diagram.edge_lengths.empty()) lengths = std::span(diagram.edge_lengths).subspan(begin, end - begin);
   const SphereMeasures measures =
-      begin == end ? wholeSphere(sites.direction[site]) : measureCell(sites, cells, site);
+      begin == end ? wholeSphere(sites.direction[site]) : measureCell(sites, cells, site, lengths);
   diagram.area[site] = measures.area;
   diagram.solid_angle[site] = measures.solid_angle;
   diagram.centroid[site] = placeOf(measures.centroid);
-  if (diagram.vertices.empty()) return;
+  if (diagram.perimeter.empty()) return;
+  const double radius = earthRadius();
   diagram.perimeter[site] = radius * measures.perimeter;
-  for (auto e = begin; e < end; ++e) {
-    diagram.vertices[e] = placeOf(cells.vertex[e]);
-    diagram.edge_lengths[e] = radius * arcOf(sites.vectors(), cells, site, e).angle;
-  }
+  for (double& length : lengths) length *= radius;
 }
 
-void writeDiagram(const SphereSites& placed, const Sites& sites, const SphereCells& cells, Detail detail,
-                  int threads, Diagram& diagram) {
+void writeDiagram(const SphereSites& placed, const Sites& sites, const SphereCells& cells, int threads,
+                  Diagram& diagram) {
   const auto count = sites.size();
-  diagram.cell_offsets = cells.offsets;
-  diagram.neighbors.assign(cells.neighbor.begin(), cells.neighbor.end());
+  const bool is_alone = cells.neighbor.empty(), has_places = !cells.place.empty() || is_alone;
   diagram.status.assign(count, Status::ok);
   diagram.area.resize(count);
   diagram.solid_angle.resize(count);
   diagram.centroid.resize(count);
-  if (detail != Detail::measures) {
-    diagram.perimeter.resize(count);
-    diagram.vertices.resize(cells.vertex.size());
-    diagram.edge_lengths.resize(cells.vertex.size());
-  }
-  const bool is_alone = cells.neighbor.empty();
+  if (has_places) diagram.perimeter.resize(count);
+  diagram.edge_lengths.resize(cells.place.size());
   parallelFor(count, globe_grain, threads, [&](std::size_t begin, std::size_t end) {
     for (auto i = begin; i < end; ++i) {
-      if (diagram.owner[i] != i) {
-        diagram.status[i] = Status::duplicate;
-        diagram.centroid[i] = {sites.x[i], sites.y[i]};
-      } else if (cells.offsets[i] == cells.offsets[i + 1] && !is_alone) {
-        diagram.status[i] = Status::empty;
-        diagram.centroid[i] = {sites.x[i], sites.y[i]};
-      } else {
+      const bool is_owned = diagram.owner[i] != i;
+      if (!is_owned && (is_alone || cells.offsets[i] < cells.offsets[i + 1])) {
         writeCell(placed, cells, i, diagram);
+      } else {
+        diagram.status[i] = is_owned ? Status::duplicate : Status::empty;
+        diagram.centroid[i] = {sites.x[i], sites.y[i]};
       }
+    }
+  });
+}
+
+/// The triangles by input index, counter-clockwise from the lowest.
+void writeTriangles(const SphereMesh& mesh, int threads, Diagram& diagram) {
+  diagram.triangles.resize(mesh.triangles.size());
+  parallelFor(mesh.triangles.size(), globe_grain, threads, [&](std::size_t begin, std::size_t end) {
+    for (auto t = begin; t < end; ++t) {
+      auto& triangle = diagram.triangles[t];
+      std::ranges::transform(mesh.triangles[t].corner, triangle.begin(),
+                             [&](auto v) { return mesh.site[static_cast<std::size_t>(v)]; });
+      std::ranges::rotate(triangle, std::ranges::min_element(triangle));
     }
   });
 }
@@ -83,20 +88,24 @@ void writeDiagram(const SphereSites& placed, const Sites& sites, const SphereCel
 
 Result<Diagram> globeCellsOn(const Machine& machine, const Sites& sites, const CellsOptions& options) {
   const int threads = threadCount(machine.threads);
+  const Stopwatch watch;
   const SphereSites placed = placedOn(sites, threads);
   Diagram diagram;
-  VORPIPE_VAR(mesh, triangulateSphere(machine, placed, options, diagram.report));
-  const Stopwatch watch;
-  VORPIPE_LET(cells, cellsOfSphere(placed, mesh, threads));
-  diagram.owner = std::move(mesh.owner);
-  writeDiagram(placed, sites, cells, options.detail, threads, diagram);
-  if (options.detail == Detail::everything) diagram.triangles = std::move(mesh.triangles);
   auto& report = diagram.report;
+  VORPIPE_VAR(mesh, triangulateSphere(placed, threads));
+  report.time_ms.order = watch.milliseconds();
+  VORPIPE_VAR(cells, cellsOfSphere(placed, mesh, options.detail != Detail::measures, threads));
+  diagram.owner = std::move(mesh.owner);
+  writeDiagram(placed, sites, cells, threads, diagram);
+  diagram.cell_offsets = std::move(cells.offsets);
+  diagram.neighbors = std::move(cells.neighbor);
+  diagram.vertices = std::move(cells.place);
+  if (options.detail == Detail::everything) writeTriangles(mesh, threads, diagram);
   report.duplicate = static_cast<std::uint64_t>(std::ranges::count(diagram.status, Status::duplicate));
   report.empty = static_cast<std::uint64_t>(std::ranges::count(diagram.status, Status::empty));
   report.hidden = report.empty;
   report.ok = sites.size() - report.duplicate - report.empty;
-  report.time_ms.cells = std::max(report.time_ms.cells, 0.0) + 1e3 * watch.seconds();
+  report.time_ms.cells = watch.milliseconds() - report.time_ms.order;
   nameDevice(machine.backend, report);
   return diagram;
 }

@@ -16,12 +16,14 @@ namespace vorpipe::core {
 /// cell.
 struct SphereCells {
   std::vector<std::uint64_t> offsets;  ///< size: sites + 1
-  std::vector<std::uint32_t> neighbor;
+  std::vector<std::int64_t> neighbor;
   std::vector<Direction> vertex;  ///< the same bits in all cells that meet there
+  std::vector<Point> place;       ///< of each vertex, in degrees, if wanted
 };
 
 /// Error (input): sites so near to each other that rounding leaves one without edges.
-Result<SphereCells> cellsOfSphere(const SphereSites& sites, const SphereMesh& mesh, int threads);
+Result<SphereCells> cellsOfSphere(const SphereSites& sites, const SphereMesh& mesh, bool has_places,
+                                  int threads);
 
 /// A part of a great circle, as of an edge.
 struct Arc {

@@ -73,19 +73,21 @@ class Sums {
  public:
   explicit Sums(const Direction& apex) : apex_(apex) {}
 
-  void add(const Direction& from, const Direction& to) {
+  /// Returns the arc's angle, which is the same to the last bit from its other end.
+  double add(const Direction& from, const Direction& to) {
     const Direction a = from - apex_, b = to - apex_, across = cross(a, b);
     // Van Oosterom and Strackee 1983.
     const double solid =
         2 * angleOf(dot(apex_, across), 1 + dot(apex_, from) + dot(from, to) + dot(to, apex_));
     solid_ += solid;
     flat_ = flat_ + solid / 3 * (a + b);
-    const Direction turn = cross(from, to - from);
+    const Direction turn = cross(from, to);
     const double sine = lengthOf(turn), angle = angleOf(sine, dot(from, to));
     perimeter_ += angle;
-    if (sine == 0) return;
+    if (sine == 0) return angle;
     normals_ = normals_ + angle / (2 * sine) * turn;
     ellipsoid_ += turn.z * angle / sine * meanDifference(from, to, angle / 2);
+    return angle;
   }
 
   [[nodiscard]] SphereMeasures measures(bool is_small) const {
@@ -132,7 +134,8 @@ double earthRadius() { return std::sqrt(squaredRadius()); }
 
 SphereMeasures wholeSphere(const Direction& site) { return {4 * pi, 4 * pi * squaredRadius(), 0, site}; }
 
-SphereMeasures measureCell(const SphereSites& sites, const SphereCells& cells, std::size_t site) {
+SphereMeasures measureCell(const SphereSites& sites, const SphereCells& cells, std::size_t site,
+                           std::span<double> lengths) {
   constexpr double small = 1e-4, large = 1, longest = 0.25;  // radians
   const auto begin = cells.offsets[site], end = cells.offsets[site + 1];
   const Direction& own = sites.direction[site];
@@ -152,10 +155,12 @@ SphereMeasures measureCell(const SphereSites& sites, const SphereCells& cells, s
     const auto next = e + 1 < end ? e + 1 : begin;
     const Direction &from = cells.vertex[e], &to = cells.vertex[next];
     if (next != e && lengthOf(to - from) <= longest) {
-      sums.add(from, to);
+      const double angle = sums.add(from, to);
+      if (!lengths.empty()) lengths[e - begin] = angle;
       continue;
     }
     const Arc arc = arcOf(sites.vectors(), cells, site, e);
+    if (!lengths.empty()) lengths[e - begin] = arc.angle;
     const int pieces = static_cast<int>(std::ceil(arc.angle / longest));
     Direction last = from;
     for (int k = 1; k <= pieces; ++k) {

@@ -12,8 +12,9 @@ struct SphereMeasures {
   Direction centroid{};    ///< the direction of the cell's center of mass on the sphere
 };
 
-/// Measures a site's cell, which has edges.
-SphereMeasures measureCell(const SphereSites& sites, const SphereCells& cells, std::size_t site);
+/// Measures a site's cell, which has edges. `lengths`, if not empty, become those of its edges, in radians.
+SphereMeasures measureCell(const SphereSites& sites, const SphereCells& cells, std::size_t site,
+                           std::span<double> lengths);
 
 /// What a site alone on the sphere has.
 SphereMeasures wholeSphere(const Direction& site);

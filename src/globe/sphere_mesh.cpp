@@ -6,8 +6,10 @@
 #include <utility>
 
 #include "base/parallel.h"
+#include "base/refusal.h"
 #include "base/try.h"
-#include "domain/cells_run.h"
+#include "cells/site_mesh.h"
+#include "sites/site_set.h"
 
 namespace vorpipe::core {
 namespace {
@@ -102,28 +104,59 @@ PlaneSites projectFrom(std::uint32_t from, const SphereSites& sites, int threads
   return plane;
 }
 
-/// Adds the triangles between the hull of those in the plane and the center. A site is on the hull if its
-/// triangles leave a gap: the first site around it is then not also the last.
-void closeAround(std::uint32_t center, std::vector<std::array<std::uint32_t, 3>>& triangles,
-                 std::size_t sites) {
-  std::vector<std::uint32_t> ends(sites);  // the first site around it, exclusive or the last
-  for (const auto& t : triangles) {
-    for (std::size_t k = 0; k < 3; ++k) ends[t[k]] ^= t[(k + 1) % 3] ^ t[(k + 2) % 3];
-  }
-  std::vector<std::array<std::uint32_t, 2>> directed;
-  for (const auto& t : triangles) {
-    for (std::size_t k = 0; k < 3; ++k) {
-      const auto a = t[k], b = t[(k + 1) % 3];
-      if (ends[a] != 0 && ends[b] != 0) directed.push_back({a, b});
+/// Sites of the plane that are out of the range of exact decisions.
+Error tooNear() {
+  return refusalOf(Subject::sites, "they are too many, or too near to each other, for one triangulation");
+}
+
+/// Triangulates the plane's sites. What is beyond their hull lies between it and the center.
+Result<void> closeAround(std::uint32_t center, const PlaneSites& plane, const SiteSet& set, int threads,
+                         SphereMesh& mesh) {
+  if (!canTriangulate(set)) return tl::unexpected(tooNear());
+  PartMesh part = triangulate(set, allOf(set), threads);
+  mesh.triangles = std::move(part.mesh.triangles);
+  if (mesh.triangles.empty()) return {};
+  mesh.site = std::move(part.site);
+  for (auto& site : mesh.site) site = plane.site[set.id[site]];
+  mesh.at = std::move(part.mesh.at);
+  const auto of_center = static_cast<std::int32_t>(mesh.site.size());
+  mesh.site.push_back(center);
+  mesh.at.push_back(-1);
+  for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+    for (auto& corner : mesh.triangles[t].corner) {
+      if (corner != ghost) continue;
+      corner = of_center;
+      mesh.at.back() = static_cast<std::int32_t>(t);
     }
   }
-  std::ranges::sort(directed);
-  for (const auto& [a, b] : directed) {
-    if (std::ranges::binary_search(directed, std::array{b, a})) continue;
-    std::array<std::uint32_t, 3> t{b, a, center};
-    std::ranges::rotate(t, std::ranges::min_element(t));
-    triangles.push_back(t);
+  if (set.weight.empty()) return {};
+  for (std::size_t v = 0; v < mesh.at.size(); ++v) {
+    const auto& corner = mesh.triangles[static_cast<std::size_t>(mesh.at[v])].corner;
+    if (std::ranges::find(corner, static_cast<std::int32_t>(v)) == corner.end()) mesh.at[v] = -1;
   }
+  return {};
+}
+
+/// A hidden site in the direction of one with a cell is its duplicate.
+void ownHidden(const SphereSites& sites, SphereMesh& mesh) {
+  if (sites.excess.empty()) return;
+  std::vector<std::uint8_t> has_cell(sites.direction.size());
+  for (const auto site : mesh.circle) has_cell[site] = 1;
+  for (std::size_t v = 0; v < mesh.at.size(); ++v) {
+    if (mesh.at[v] >= 0) has_cell[mesh.site[v]] = 1;
+  }
+  const auto directionAt = [&](std::uint32_t site) { return sites.direction[site]; };
+  std::vector<std::uint32_t> hidden;
+  for (std::uint32_t i = 0; i < has_cell.size(); ++i) {
+    if (has_cell[i] == 0 && mesh.owner[i] == i) hidden.push_back(i);
+  }
+  std::ranges::sort(hidden, {}, directionAt);
+  for (std::uint32_t i = 0; i < has_cell.size(); ++i) {
+    if (has_cell[i] == 0) continue;
+    for (const auto site : std::ranges::equal_range(hidden, directionAt(i), {}, directionAt))
+      mesh.owner[site] = i;
+  }
+  for (auto& owner : mesh.owner) owner = mesh.owner[owner];
 }
 
 /// Drops sites on a line, given in order, that weights hide: those above the lower hull of x^2 + y^2 - w.
@@ -162,38 +195,29 @@ std::vector<std::uint32_t> alongLine(const PlaneSites& plane, const std::vector<
 
 }  // namespace
 
-Result<SphereMesh> triangulateSphere(const Machine& machine, const SphereSites& sites,
-                                     const CellsOptions& options, Report& report) {
+Result<SphereMesh> triangulateSphere(const SphereSites& sites, int threads) {
   const auto& directions = sites.direction;
   SphereMesh mesh;
   mesh.owner.resize(directions.size());
   std::iota(mesh.owner.begin(), mesh.owner.end(), 0u);
   const auto center = centerOf(sites);
-  const PlaneSites plane = projectFrom(center, sites, machine.threads);
+  const PlaneSites plane = projectFrom(center, sites, threads);
   for (std::uint32_t i = 0; i < directions.size(); ++i) {
     if (directions[i] == directions[center]) mesh.owner[i] = center;
   }
   if (!plane.site.empty()) {
-    CellsOptions in_plane;
-    in_plane.domain = domainOf(plane.sites);
-    in_plane.search = options.search;
-    in_plane.progress = options.progress;
-    VORPIPE_VAR(found, cellsOn(machine, plane.sites, in_plane));
+    const auto prepared = prepare(plane.sites, domainOf(plane.sites), threads);
+    if (!prepared) return tl::unexpected(tooNear());
     for (std::size_t k = 0; k < plane.site.size(); ++k) {
-      mesh.owner[plane.site[k]] = plane.site[found.owner[k]];
+      mesh.owner[plane.site[k]] = plane.site[prepared->owner[k]];
     }
-    mesh.triangles = std::move(found.triangles);
-    for (auto& t : mesh.triangles) {
-      for (auto& corner : t) corner = plane.site[corner];
-    }
-    report = std::move(found.report);
+    VORPIPE_TRY(closeAround(center, plane, prepared->set, threads, mesh));
   }
   if (mesh.triangles.empty()) {
     mesh.circle = alongLine(plane, mesh.owner);
     mesh.circle.push_back(center);
-  } else {
-    closeAround(center, mesh.triangles, directions.size());
   }
+  ownHidden(sites, mesh);
   return mesh;
 }
 
