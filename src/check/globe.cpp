@@ -14,15 +14,18 @@ constexpr double earth_area =
     510065621.7240887;  ///< km2, of WGS 84: 2 pi a^2 + pi b^2 / e ln((1 + e) / (1 - e))
 constexpr double sphere_slack = 1e-12;
 
-using SpaceVector = std::array<double, 3>;
+/// A place in space, and a fourth coordinate: of sites with weights, what makes the nearest of them in four
+/// dimensions the one whose cell has a place of the sphere, x . v largest: |x - v|^2 + |v'|^2 - |v|^2 least,
+/// where v' is the longest.
+using SpaceVector = std::array<double, 4>;
 
 SpaceVector toward(Point degrees) {
   const double x = degrees.x / half_turn * pi, y = degrees.y / half_turn * pi;
-  return {std::cos(y) * std::cos(x), std::cos(y) * std::sin(x), std::sin(y)};
+  return {std::cos(y) * std::cos(x), std::cos(y) * std::sin(x), std::sin(y), 0};
 }
 
 double chordOf(const SpaceVector& a, const SpaceVector& b) {
-  return std::hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]);
+  return std::hypot(std::hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]), a[3] - b[3]);
 }
 
 /// The sites in space.
@@ -43,7 +46,7 @@ using Tree = nanoflann::KDTreeSingleIndexAdaptor<
 class GlobeCheck {
  public:
   GlobeCheck(const Sites& sites, const Diagram& diagram, Detail detail, int threads)
-      : diagram_(diagram), detail_(detail), threads_(threadCount(threads)), tree_(3, placed(sites), {16}) {
+      : diagram_(diagram), detail_(detail), threads_(threadCount(threads)), tree_(4, placed(sites), {16}) {
     tree_.buildIndex();
   }
 
@@ -63,7 +66,21 @@ class GlobeCheck {
   static constexpr std::uint32_t none = ~std::uint32_t{0};
 
   const SphereVectors& placed(const Sites& sites) {
-    for (std::size_t i = 0; i < sites.size(); ++i) sites_.at.push_back(toward({sites.x[i], sites.y[i]}));
+    has_weights_ = !sites.weight.empty();
+    std::vector<double> longer(sites.size());
+    for (std::size_t i = 0; i < sites.size(); ++i) {
+      SpaceVector at = toward({sites.x[i], sites.y[i]});
+      if (has_weights_) {
+        // Of a cap of angular radius r: 1 / cos(r).
+        const double weight = sites.weight[i], radius = std::sqrt(std::abs(weight) * 4 * pi / earth_area);
+        const double length = weight < 0 ? 1 / std::cosh(radius) : 1 / std::cos(radius);
+        for (double& coordinate : at) coordinate *= length;
+        longer[i] = length * length;
+      }
+      sites_.at.push_back(at);
+    }
+    const double longest = has_weights_ ? *std::ranges::max_element(longer) : 0;
+    for (std::size_t i = 0; i < sites.size(); ++i) sites_.at[i][3] = std::sqrt(longest - longer[i]);
     return sites_;
   }
 
@@ -96,17 +113,25 @@ class GlobeCheck {
     });
   }
 
-  /// A duplicate is where its owner is, and owners are where no earlier site is.
+  /// The distance of two sites' directions.
+  [[nodiscard]] double angleBetween(std::size_t i, std::size_t j) const {
+    const auto &a = sites_.at[i], &b = sites_.at[j];
+    const double of_a = std::hypot(a[0], a[1], a[2]), of_b = std::hypot(b[0], b[1], b[2]);
+    return std::hypot(a[0] / of_a - b[0] / of_b, a[1] / of_a - b[1] / of_b, a[2] / of_a - b[2] / of_b);
+  }
+
+  /// A duplicate is where its owner is, and owners are where no earlier site is. Weights may hide a site.
   void checkOwners() {
     constexpr double same = 4 * epsilon;
     broken_.expect("owners", size(), threads_, [&](std::size_t i) -> std::string {
       const auto owner = diagram_.owner[i];
       const bool is_own = owner == i;
-      if (owner > i || is_own != (diagram_.status[i] == Status::ok) ||
+      const bool is_hidden = has_weights_ && is_own && diagram_.status[i] == Status::empty;
+      if ((owner > i && !has_weights_) || is_own != (diagram_.status[i] == Status::ok || is_hidden) ||
           (!is_own && diagram_.status[i] != Status::duplicate)) {
         return fmt::format("site {} is owned by site {}", i, owner);
       }
-      return chordOf(sites_.at[i], sites_.at[owner]) <= same
+      return angleBetween(i, owner) <= same
                  ? ""
                  : fmt::format("site {} is owned by site {}, which is elsewhere", i, owner);
     });
@@ -185,6 +210,11 @@ class GlobeCheck {
     return diagram_.owner[site];
   }
 
+  /// How much farther a distance in four dimensions is, in terms of distances on the sphere.
+  [[nodiscard]] double farther(double far, double near) const {
+    return has_weights_ ? (far - near) * (far + near) / 2 : far - near;
+  }
+
   /// No site is nearer to a vertex than those whose cells meet there.
   void checkVertices() {
     broken_.expect("nearest", size(), threads_, [&](std::size_t i) -> std::string {
@@ -193,11 +223,11 @@ class GlobeCheck {
         const SpaceVector vertex = toward(diagram_.vertices[e]);
         const double own = chordOf(vertex, sites_.at[i]);
         const auto j = static_cast<std::size_t>(diagram_.neighbors[e]);
-        if (std::abs(chordOf(vertex, sites_.at[j]) - own) > slack) {
+        if (std::abs(farther(chordOf(vertex, sites_.at[j]), own)) > slack) {
           return fmt::format("a vertex of sites {} and {} is not as far from both", i, j);
         }
         const auto nearest = nearestTo(vertex);
-        if (chordOf(vertex, sites_.at[nearest]) < own - slack) {
+        if (farther(own, chordOf(vertex, sites_.at[nearest])) > slack) {
           return fmt::format("site {} is nearer to a vertex of site {}", nearest, i);
         }
       }
@@ -214,15 +244,15 @@ class GlobeCheck {
     std::vector<SpaceVector> places(count);
     for (SpaceVector& place : places) {
       std::normal_distribution<double> normal;
-      for (double& x : place) x = normal(random);
+      for (std::size_t k = 0; k < 3; ++k) place[k] = normal(random);
       const double length = std::hypot(place[0], place[1], place[2]);
       for (double& x : place) x /= length;
     }
     broken_.expect("nearest", count, threads_, [&](std::size_t k) -> std::string {
       const auto nearest = nearestTo(places[k]);
       // From any cell, neighbors that are nearer lead to the nearest site.
-      std::size_t at = k % size();
-      at = diagram_.owner[at];
+      std::size_t at = diagram_.owner[k % size()];
+      if (begin(at) == end(at)) at = nearest;
       for (std::size_t steps = 0; steps <= size(); ++steps) {
         std::size_t best = at;
         for (auto e = begin(at); e < end(at); ++e) {
@@ -232,12 +262,13 @@ class GlobeCheck {
         if (best == at) break;
         at = best;
       }
-      const double off = chordOf(places[k], sites_.at[at]) - chordOf(places[k], sites_.at[nearest]);
+      const double off = farther(chordOf(places[k], sites_.at[at]), chordOf(places[k], sites_.at[nearest]));
       return off <= slackOf(at) ? ""
                                 : fmt::format("a place near site {} is in the cell of site {}", nearest, at);
     });
   }
 
+  bool has_weights_ = false;
   SphereVectors sites_;
   const Diagram& diagram_;
   Detail detail_;
