@@ -1,9 +1,12 @@
 #include "vorpipe/pieces.h"
 
 #include <algorithm>
+#include <cmath>
 #include <string>
 
 #include "base/try.h"
+#include "domain/degrees.h"
+#include "domain/rings.h"
 #include "vorpipe.h"
 #include "vorpipe/cell.h"
 
@@ -13,12 +16,17 @@ namespace {
 /// The boxes of cells, for queries which of them meet another box.
 class CellBoxes {
  public:
-  explicit CellBoxes(const Diagram& cells) {
+  /// Those of cells on the globe are in degrees, of each part that longitude 180 cuts off.
+  CellBoxes(const Sites& sites, const Diagram& cells, bool on_globe) {
     for (const Cell cell : cells) {
-      if (cell.status() != Status::ok || cell.edges() == 0) continue;
-      const Box box = boxOf(cell.vertices());
-      widest_ = std::max(widest_, box.xmax - box.xmin);
-      boxes_.push_back({box, static_cast<std::uint32_t>(cell.index())});
+      if (cell.status() != Status::ok) continue;
+      if (!on_globe) {
+        add(cell.vertices(), cell.index(), 0);
+        continue;
+      }
+      const Outline parts = globePolygons(sites, cells, cell.index());
+      for (std::size_t r = 0; r + 1 < parts.ring_offsets.size(); ++r)
+        add(core::ringAt(parts, r), cell.index(), most_off);
     }
     std::ranges::sort(boxes_, {}, [](const SiteBox& each) { return std::pair(each.box.xmin, each.site); });
   }
@@ -34,10 +42,25 @@ class CellBoxes {
         sites.push_back(at->site);
     }
     std::ranges::sort(sites);
+    const auto last = std::ranges::unique(sites);
+    sites.erase(last.begin(), last.end());
     return sites;
   }
 
  private:
+  /// Degrees by which globePolygons may be off.
+  static constexpr double most_off = 1e-3;
+
+  void add(std::span<const Point> ring, std::size_t site, double off) {
+    if (ring.empty()) return;
+    Box box = boxOf(ring);
+    const double latitude = std::max(std::abs(box.ymin), std::abs(box.ymax)) * degree;
+    const double across = off / std::max(std::cos(latitude), off);
+    box = {box.xmin - across, box.ymin - off, box.xmax + across, box.ymax + off};
+    widest_ = std::max(widest_, box.xmax - box.xmin);
+    boxes_.push_back({box, static_cast<std::uint32_t>(site)});
+  }
+
   struct SiteBox {
     Box box;
     std::uint32_t site;
@@ -115,7 +138,7 @@ Result<Pieces> piecesOf(Session& session, const Sites& sites, const CellsOptions
   CellsOptions whole_options = options;
   whole_options.detail = Detail::polygons;
   VORPIPE_VAR(whole, session.cells(sites, whole_options));
-  const CellBoxes boxes(whole);
+  const CellBoxes boxes(sites, whole, options.globe);
   Pieces pieces;
   pieces.cells.report = std::move(whole.report);
   pieces.cells.cell_offsets = {0};
