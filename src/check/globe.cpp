@@ -168,15 +168,19 @@ class GlobeCheck {
         const auto ring =
             std::span(outline_.points)
                 .subspan(outline_.ring_offsets[r], outline_.ring_offsets[r + 1] - outline_.ring_offsets[r]);
-        double of_ring = 0;
+        double of_ring = 0, turn = 0;
         for (std::size_t k = 0; k < ring.size(); ++k) {
           const Point from = ring[k], to = ring[k + 1 < ring.size() ? k + 1 : 0];
+          const double way = std::remainder(to.x - from.x, 2 * half_turn);
+          turn += way;
           constexpr int steps = 16;
           for (int step = 0; step < steps; ++step) {
             const double part = (step + 0.5) / steps;
-            of_ring += q(from.y + part * (to.y - from.y)) * (to.x - from.x) / steps;
+            of_ring += q(from.y + part * (to.y - from.y)) * way / steps;
           }
         }
+        // Around a pole, what is between the ring and the nearer one.
+        if (std::abs(turn) > half_turn) of_ring = 2 * half_turn * q(half_turn / 2) - std::abs(of_ring);
         const bool is_hole = r > outline_.polygon_offsets[p];
         sum += is_hole ? -std::abs(of_ring) : std::abs(of_ring);
       }

@@ -108,7 +108,7 @@ Result<void> takeDomain(const InputOptions& options, Input& input, bool of_corne
                           options.crs,
                           {},
                           of_corners,
-                           options.globe};
+                          options.globe};
   if (!options.domain.file.empty()) {
     const auto attributes = options.by.empty() ? FeatureAttributes::dropped : FeatureAttributes::kept;
     auto read = readOutline(options.domain.file, options.domain_layer, attributes);
@@ -126,7 +126,8 @@ Result<Input> loadInput(const InputOptions& options) {
   const Stopwatch watch;
   ReadOptions reading = options.reading;
   if (options.sites == "-") reading.format = options.format.input;
-  auto source = loadSites(options.sites, options.seed, reading, options.domain.box);
+  auto source = loadSites(options.sites, options.seed, reading,
+                          options.globe ? std::optional<Box>() : options.domain.box);
   if (!source) return named("--sites", std::move(source.error()));
   Input input;
   input.sites = std::move(source->table.sites);

@@ -107,9 +107,13 @@ Result<Diagram> wholeCellsOn(const Sites& sites, const SphereSites& placed, Deta
 Result<Diagram> partCellsOn(const Machine& machine, const Sites& sites, const SphereSites& placed,
                             const CellsOptions& options, int threads) {
   VORPIPE_VAR(diagram, outlinedCellsOn(machine, sites, placed, options));
-  if (options.detail == Detail::everything) {
-    VORPIPE_LET(mesh, triangulateSphere(placed, threads));
-    writeTriangles(mesh, threads, diagram);
+  diagram.report.hidden = 0;
+  const bool has_triangles = options.detail == Detail::everything;
+  if (!has_triangles && placed.excess.empty()) return std::move(diagram);
+  VORPIPE_LET(mesh, triangulateSphere(placed, threads));
+  if (has_triangles) writeTriangles(mesh, threads, diagram);
+  for (std::size_t v = 0; v < mesh.at.size(); ++v) {
+    if (mesh.at[v] < 0 && mesh.owner[mesh.site[v]] == mesh.site[v]) ++diagram.report.hidden;
   }
   return std::move(diagram);
 }

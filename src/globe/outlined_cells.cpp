@@ -23,8 +23,8 @@ namespace {
 
 constexpr std::size_t outlined_grain = 256;
 
-/// How far polygons of one chart reach from its center, in degrees. Its plane is 11 Earth radii wide then.
-constexpr double farthest_of_chart = 80;
+/// How far polygons of one chart reach from its center, in degrees. Its plane reaches 29 Earth radii then.
+constexpr double farthest_of_chart = 88;
 
 /// Polygons that one chart has.
 struct ChartedOutline {
@@ -90,10 +90,10 @@ Result<std::vector<ChartedOutline>> chartsOf(const Outline& outline) {
 /// A chart's outline in its plane. Sides along parallels have points in between.
 Result<Outline> outlineIn(const Chart& chart, const ChartedOutline& charted) {
   VORPIPE_LET(projection, Projection::around(charted.center));
-  VORPIPE_VAR(mended_outline, mendedToPlane(projection, charted.degrees, false));
-  Outline plane = std::move(mended_outline.outline);
+  VORPIPE_VAR(plane, toPlane(projection, charted.degrees));
   for (Point& point : plane.points) point = chart.toPlane(directionOf(projection.toDegrees(point)));
-  VORPIPE_VAR(valid, mended(plane, false));
+  // It was valid in degrees: what is to be mended is rounding.
+  VORPIPE_VAR(valid, mended(plane, true));
   return std::move(valid.outline);
 }
 

@@ -325,8 +325,7 @@ Result<void> takeGlobe(const Request& request) {
   }
   VORPIPE_LET(degrees, outlineInDegrees(request));
   if (!degrees.empty()) {
-    const auto mend = [](const Outline& outline, bool repair) { return mended(outline, repair); };
-    VORPIPE_TRY(takeOutlines(mend, request, degrees));
+    VORPIPE_TRY(takeOutlines(mendedOnGlobe, request, degrees));
   }
   placed.globe = true;
   placed.system = degreesOf(hasName(placed.system) ? placed.system : settings.outline_system);
