@@ -40,23 +40,36 @@ class UnrolledBorder {
     }
   }
 
-  /// Its points, in the turn where it begins. A ring around a pole is led to that pole.
+  /// Its points, in the turn where it begins. A ring around a pole is led to that pole along longitude 180.
   [[nodiscard]] std::vector<Point> ring() const {
-    std::vector<Point> points = points_;
-    const double turns = std::round((points.back().x - points.front().x) / whole_turn);
-    if (turns == 0) {
-      points.pop_back();
-    } else {
-      const double pole = turns > 0 ? quarter_turn : -quarter_turn;
-      points.push_back({points.back().x, pole});
-      points.push_back({points.front().x, pole});
+    std::vector<Point> points(points_.begin(), points_.end() - 1);
+    const double turns = std::round((points_.back().x - points_.front().x) / whole_turn);
+    if (turns == 0) return points;
+    // It crosses that longitude, between `before` and the next point.
+    const auto turnOf = [](const Point& p) { return std::floor((p.x + half_turn) / whole_turn); };
+    std::size_t before = 0;
+    while (turnOf(points_[before]) == turnOf(points_[before + 1])) ++before;
+    const Point a = points_[before], b = points_[before + 1];
+    const double side = std::copysign(half_turn, turns);
+    const double seam = whole_turn * std::max(turnOf(a), turnOf(b)) - half_turn;
+    const double latitude = a.y + (b.y - a.y) * ((seam - a.x) / (b.x - a.x));
+    const double pole = std::copysign(quarter_turn, turns);
+    std::vector<Point> led{{-side, latitude}};
+    for (std::size_t k = 1; k <= points.size(); ++k) {
+      const auto at = before + k;
+      const Point p = points[at < points.size() ? at : at - points.size()];
+      const double turned = at < points.size() ? 0 : whole_turn * turns;
+      led.push_back({p.x + turned - seam - side, p.y});
     }
-    return points;
+    for (const Point p : {Point{side, latitude}, Point{side, pole}, Point{-side, pole}}) led.push_back(p);
+    return led;
   }
 
  private:
-  static constexpr double longest = 0.5;    ///< degrees between points
+  static constexpr double longest = 0.2;    ///< degrees between points
   static constexpr double most_off = 1e-5;  ///< of the Earth's radius
+  /// How far a straight line of degrees may be off, of its length: near poles lines would cross else.
+  static constexpr double most_bent = 0.01, shortest = 1e-9;
   static constexpr double at_pole = 1e-12;
 
   static bool isPole(const Direction& a) { return std::hypot(a.x, a.y) <= at_pole; }
@@ -67,8 +80,11 @@ class UnrolledBorder {
     const Point from = placeOf(a), to = placeOf(b);
     const bool at_a_pole = isPole(a) || isPole(b);
     const double way = std::remainder(to.x - from.x, whole_turn);
-    const Direction chord = directionOf({from.x + way / 2, (from.y + to.y) / 2});
-    if (!at_a_pole && lengthOf(chord - middle) > most_off) {
+    const Point chord{from.x + way / 2, (from.y + to.y) / 2}, at = placeOf(middle);
+    const double off = std::hypot(std::remainder(at.x - chord.x, whole_turn), at.y - chord.y);
+    const bool bends =
+        off > most_bent * std::hypot(way, to.y - from.y) || lengthOf(directionOf(chord) - middle) > most_off;
+    if (!at_a_pole && bends && lengthOf(b - a) > shortest) {
       addPiece(a, middle, east);
       addPiece(middle, b, east);
     } else {
