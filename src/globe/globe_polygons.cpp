@@ -62,11 +62,13 @@ class UnrolledBorder {
       led.push_back({p.x + turned - seam - side, p.y});
     }
     for (const Point p : {Point{side, latitude}, Point{side, pole}, Point{-side, pole}}) led.push_back(p);
+    const auto repeated = std::ranges::unique(led);
+    led.erase(repeated.begin(), repeated.end());
     return led;
   }
 
  private:
-  static constexpr double longest = 0.2;    ///< degrees between points
+  static constexpr double longest = 0.4;    ///< degrees between points
   static constexpr double most_off = 1e-5;  ///< of the Earth's radius
   /// How far a straight line of degrees may be off, of its length: near poles lines would cross else.
   static constexpr double most_bent = 0.01, shortest = 1e-9;
@@ -88,11 +90,11 @@ class UnrolledBorder {
       addPiece(a, middle, east);
       addPiece(middle, b, east);
     } else {
-      addPlace(b, east);
+      addPlace(a, b, east);
     }
   }
 
-  void addPlace(const Direction& at, double east) {
+  void addPlace(const Direction& from, const Direction& at, double east) {
     const Point last = points_.back();
     Point place = placeOf(at);
     if (isPole(at)) {
@@ -109,7 +111,18 @@ class UnrolledBorder {
     } else if (std::abs(way) > quarter_turn && way * east < 0) {
       way += std::copysign(whole_turn, east);
     }
+    addSeam(from, at, last.x + way);
     points_.push_back({last.x + way, place.y});
+  }
+
+  /// Adds the place where the great circle through two places crosses longitude 180, if the line from the
+  /// last point to one of this longitude does.
+  void addSeam(const Direction& from, const Direction& to, double longitude) {
+    const auto [west, east] = std::minmax(points_.back().x, longitude);
+    const double seam = half_turn + whole_turn * std::floor((east - half_turn) / whole_turn);
+    if (!(seam > west && seam < east)) return;
+    const Direction axis = cross(from, to);
+    points_.push_back({seam, std::atan(axis.x / axis.z) / degree});
   }
 
   std::vector<Point> points_;
@@ -214,9 +227,18 @@ void addCut(std::vector<std::vector<Point>> rings, Outline& outline) {
                                             {longitude + half_turn, quarter_turn},
                                             {longitude - half_turn, quarter_turn}});
     const auto part = owned(geos, GEOSIntersection_r(geos.handle(), whole.get(), box.get()));
-    const auto begin = static_cast<std::ptrdiff_t>(outline.points.size());
-    addPolygons(geos, part.get(), outline);
-    for (auto p = outline.points.begin() + begin; p != outline.points.end(); ++p) p->x -= longitude;
+    Outline of_turn;
+    addPolygons(geos, part.get(), of_turn);
+    for (Point& p : of_turn.points) p.x -= longitude;
+    for (std::size_t p = 0; p + 1 < of_turn.polygon_offsets.size(); ++p) {
+      const auto first = of_turn.polygon_offsets[p];
+      for (auto r = first; r < of_turn.polygon_offsets[p + 1]; ++r) {
+        const auto ring = ringAt(of_turn, r);
+        std::vector<Point> turned(ring.begin(), ring.end());
+        if ((areaOfRing(ring) > 0) != (r == first)) std::ranges::reverse(turned);
+        addRing(turned, r > first, outline);
+      }
+    }
   }
 }
 

@@ -17,7 +17,7 @@ namespace vorpipe {
 Result<MendedOutline> mendedOnGlobe(const Outline& degrees, bool repair);
 
 /// The polygons of a cell on the globe, in degrees. A cell is cut at longitude 180, and a ring around a pole follows it, as RFC 7946 asks (3.1.9).
-/// Edges are great circles, with points in between: a fifth of a degree apart or less, so many that straight lines
+/// Edges are great circles, with points in between: two fifths of a degree apart or less, so many that straight lines
 /// of longitude and latitude are within 1e-5 of the Earth's radius. None for a site without a cell.
 Outline globePolygons(const Sites& sites, const Diagram& diagram, std::size_t site);
 
