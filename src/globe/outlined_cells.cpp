@@ -218,7 +218,10 @@ Result<Diagram> outlinedCellsOn(const Machine& machine, const Sites& sites, cons
     VORPIPE_VAR(outline, outlineIn(chart, charted));
     const auto [west, east] = std::ranges::minmax(outline.points, {}, &Point::x);
     const auto [south, north] = std::ranges::minmax(outline.points, {}, &Point::y);
-    in_plane.domain = {west.x, south.y, east.x, north.y};
+    // Wide enough for no side of the outline to be one of the box.
+    constexpr double part = 0.01;
+    const double x = part * (east.x - west.x), y = part * (north.y - south.y);
+    in_plane.domain = {west.x - x, south.y - y, east.x + x, north.y + y};
     in_plane.outline = std::move(outline);
     in_plane.search = options.search;
     in_plane.detail = Detail::polygons;
