@@ -12,6 +12,7 @@
 #include "vorpipe/color.h"
 #include "vorpipe/devices.h"
 #include "vorpipe/forecast.h"
+#include "vorpipe/globe.h"
 #include "vorpipe/kept_sites.h"
 #include "vorpipe/legend.h"
 #include "vorpipe/locate.h"

@@ -65,4 +65,8 @@ void checkNearestInCells(const CheckedCells& run, const NearestSite& nearest, Ra
 /// many as some seconds allow.
 void checkNearest(const CheckedCells& run, const NearestSite& nearest, Broken& broken);
 
+/// The broken promises of cells on the globe.
+std::vector<std::string> brokenOnGlobe(const Sites& sites, const CellsOptions& options,
+                                       const Diagram& diagram, int threads);
+
 }  // namespace vorpipe::core::checks

@@ -107,7 +107,8 @@ Result<void> takeDomain(const InputOptions& options, Input& input, bool of_corne
                           {},
                           options.crs,
                           {},
-                          of_corners};
+                          of_corners,
+                          options.globe};
   if (!options.domain.file.empty()) {
     const auto attributes = options.by.empty() ? FeatureAttributes::dropped : FeatureAttributes::kept;
     auto read = readOutline(options.domain.file, options.domain_layer, attributes);
@@ -125,7 +126,8 @@ Result<Input> loadInput(const InputOptions& options) {
   const Stopwatch watch;
   ReadOptions reading = options.reading;
   if (options.sites == "-") reading.format = options.format.input;
-  auto source = loadSites(options.sites, options.seed, reading, options.domain.box);
+  auto source = loadSites(options.sites, options.seed, reading,
+                          options.globe ? std::optional<Box>() : options.domain.box);
   if (!source) return named("--sites", std::move(source.error()));
   Input input;
   input.sites = std::move(source->table.sites);
@@ -157,6 +159,7 @@ CellsOptions cellsOptionsOf(const Input& input, const SearchOptions& search) {
   cells.domain = input.domain;
   cells.outline = input.outline;
   cells.periodic = input.periodic;
+  cells.globe = input.globe;
   cells.search = search;
   return cells;
 }
@@ -170,6 +173,7 @@ DomainWords domainWords(const InputOptions& options) {
           "--project",
           "--project auto",
           "--project LON,LAT",
+          "--globe",
           "--periodic",
           "--density",
           "--density-box",

@@ -93,15 +93,6 @@ Result<Projection> projectionNear(Point middle) {
   return Projection::around({rounded(middle.x), rounded(middle.y)});
 }
 
-/// Refuses a site that is not a place.
-Result<void> checkPlaces(const Sites& degrees) {
-  for (std::size_t i = 0; i < degrees.size(); ++i) {
-    const Point place{degrees.x[i], degrees.y[i]};
-    if (!isPlace(place)) return noPlace(Subject::sites, fmt::format("site {}", i), place);
-  }
-  return {};
-}
-
 /// The whole turns, in degrees, that bring a longitude next to another one.
 double turnsTo(double longitude, double other) {
   return whole_turn * std::round((other - longitude) / whole_turn);
@@ -164,8 +155,16 @@ void joinTurns(double site, std::size_t cell, Diagram& diagram) {
 
 }  // namespace
 
-Result<Projection> projectionAmid(const Sites& degrees) {
+Result<void> checkPlaces(const Sites& degrees) {
   if (degrees.size() == 0) return tl::unexpected(refusalOf(Subject::sites, "there are none"));
+  for (std::size_t i = 0; i < degrees.size(); ++i) {
+    const Point place{degrees.x[i], degrees.y[i]};
+    if (!isPlace(place)) return noPlace(Subject::sites, fmt::format("site {}", i), place);
+  }
+  return {};
+}
+
+Result<Projection> projectionAmid(const Sites& degrees) {
   VORPIPE_TRY(checkPlaces(degrees));
   SpaceBox box;
   for (std::size_t i = 0; i < degrees.size(); ++i) box.add({degrees.x[i], degrees.y[i]});

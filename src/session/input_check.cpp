@@ -9,7 +9,9 @@
 #include "base/try.h"
 #include "cells/flann_search.h"
 #include "domain/cell_mass.h"
+#include "domain/degrees.h"
 #include "domain/rings.h"
+#include "globe/direction.h"
 #include "sites/images.h"
 #include "sites/site_set.h"
 #include "sites/weights.h"
@@ -66,10 +68,33 @@ Result<void> checkMass(const Density& density, const Box& domain) {
                                     largest, least_dense, most_dense, least_mass, most_mass)));
 }
 
+/// Whether sites can have cells on the globe: places, whose weights are those of caps below a quarter turn.
+Result<void> checkGlobe(const Sites& sites, const CellsOptions& options) {
+  VORPIPE_TRY(checkPlaces(sites));
+  const double most = std::pow(quarter_turn * degree * earthRadius(), 2);
+  for (std::size_t i = 0; i < sites.weight.size(); ++i) {
+    if (std::isfinite(sites.weight[i]) && std::abs(sites.weight[i]) < most) continue;
+    return tl::unexpected(refusalOf(
+        Subject::weights,
+        fmt::format("site {}: weight {}; on the globe it is the square of a radius below a quarter of the "
+                    "Earth, {:.0f} km",
+                    i, sites.weight[i], std::sqrt(most))));
+  }
+  if (!options.density.values.empty()) {
+    return tl::unexpected(refusalOf(Subject::density, "is for a plane, not for the globe"));
+  }
+  if (options.search.method == Search::flann) {
+    return tl::unexpected(
+        refusalOf(Subject::search, "FLANN is for a plane, not for the globe; take the grid"));
+  }
+  return {};
+}
+
 }  // namespace
 
 Result<void> checkOptions(const Sites& sites, const CellsOptions& options) {
   VORPIPE_TRY(checkSearch(options.search));
+  if (options.globe) return checkGlobe(sites, options);
   if (options.search.method == Search::flann && hasWeights(sites)) {
     return tl::unexpected(refusalOf(Subject::search,
                                     "of sites with weights, those beyond the nearest that FLANN finds may "
@@ -95,6 +120,7 @@ namespace vorpipe {
 Result<void> checkInput(const Sites& sites, const CellsOptions& options, int threads) {
   try {
     VORPIPE_TRY(core::checkOptions(sites, options));
+    if (options.globe) return {};
     if (options.periodic == Periodic::none) return core::checkSites(sites, options.domain, threads);
     const auto placed = core::placeSites(sites, options.domain, options.periodic, threads);
     return placed ? Result<void>{} : tl::unexpected(placed.error());

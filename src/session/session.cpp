@@ -4,6 +4,7 @@
 #include "base/try.h"
 #include "domain/cell_mass.h"
 #include "domain/cells_run.h"
+#include "globe/globe_cells.h"
 #include "picture/picture.h"
 #include "session/arithmetic.h"
 #include "session/input_check.h"
@@ -23,6 +24,7 @@ namespace {
 /// Finds cells, and their mass if there is a density.
 Result<Diagram> cellsAndMass(const Machine& machine, const Sites& sites, const CellsOptions& options) {
   VORPIPE_TRY(checkOptions(sites, options));
+  if (options.globe) return globeCellsOn(machine, sites, options);
   if (options.density.values.empty()) return cellsOn(machine, sites, options);
   VORPIPE_VAR(found, findCells(machine, sites, options, ImagesFor::pictures));
   VORPIPE_TRY(measureMass(options, sites, machine.threads, found));

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numbers>
 #include <span>
 #include <utility>
 
@@ -67,6 +68,13 @@ Sites spreadOver(const Box& box, Sites sites) {
   const Box square = squareAround(box);
   for (double& x : sites.x) x = square.xmin + x * (square.xmax - square.xmin);
   for (double& y : sites.y) y = square.ymin + y * (square.ymax - square.ymin);
+  return sites;
+}
+
+Sites spreadOverGlobe(Sites sites) {
+  constexpr double half_turn = 180, degree = std::numbers::pi / 180;
+  for (double& x : sites.x) x = half_turn * (2 * x - 1);
+  for (double& y : sites.y) y = std::asin(std::clamp(2 * y - 1, -1.0, 1.0)) / degree;
   return sites;
 }
 

@@ -29,6 +29,9 @@ struct CellsOptions {
   SearchOptions search;
   Detail detail = Detail::everything;
   Progress progress;  ///< may be empty
+  /// Sites are degrees of longitude and latitude, and cells are those on the sphere (globe.md): domain,
+  /// outline, period and density are not used.
+  bool globe = false;
 };
 
 /// Refuses input that every run over these sites would refuse, so that no run need begin. It refuses: a
@@ -55,6 +58,7 @@ struct Diagram {
   std::vector<Status> status;
   std::vector<std::uint32_t> owner;  ///< the site that owns the cell: itself unless a duplicate
   std::vector<double> area, perimeter;
+  std::vector<double> solid_angle;                    ///< on the globe, by site: steradians
   std::vector<Point> centroid;                        ///< of the cell; the site itself if it has no cell
   std::vector<std::array<double, 3>> second_moments;  ///< about the centroid: integrals of xx, xy, yy
   std::vector<std::uint64_t> cell_offsets;            ///< size: sites + 1

@@ -98,4 +98,8 @@ Sites generate(Pattern pattern, std::uint64_t n, std::uint64_t seed);
 /// its shape.
 Sites spreadOver(const Box& box, Sites sites);
 
+/// Maps sites from the unit square to degrees of the whole Earth: x to longitude, y to the sine of latitude,
+/// so that equal areas remain equal.
+Sites spreadOverGlobe(Sites sites);
+
 }  // namespace vorpipe

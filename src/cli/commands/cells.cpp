@@ -251,6 +251,7 @@ void addCells(CommandLine& line) {
       "cells in each feature of --domain by itself, which this attribute names: a record for each "
       "feature and each site whose cell meets it, with the area and its share of the feature; "
       "features of one name are one");
+  addGlobe(options, command->input);
   options.group("Output");
   addCellsTargets(options, command->targets);
   options.group("Cells");

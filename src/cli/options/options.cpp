@@ -215,6 +215,14 @@ Option addInputOptions(Options& options, InputOptions& input) {
   return sites;
 }
 
+void addGlobe(Options& options, InputOptions& input) {
+  options.group("Domain");
+  options.addFlag(
+      "--globe", input.globe,
+      "sites are degrees of longitude and latitude of the whole Earth, and cells are those on the "
+      "sphere; areas in square kilometers on the ellipsoid, lengths in kilometers");
+}
+
 void addDeviceChoice(Options& options, BackendOptions& backend) {
   options.group("Device");
   options.addText("--device", backend.device, "DEVICE",

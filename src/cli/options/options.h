@@ -82,6 +82,7 @@ struct InputOptions {
   std::string weights;  ///< a file
   std::optional<WeightRange> random_weights;
   Periodic periodic = Periodic::none;
+  bool globe = false;
   ReadOptions reading{};  ///< without its format: standard input has that of `format`
   FormatChoice format{};
 };
@@ -93,6 +94,8 @@ struct TalkOptions {
 /// --sites and its reading options, --seed, those of addDomainOptions, --weights, --random-weights,
 /// --periodic
 Option addInputOptions(Options& options, InputOptions& input);
+/// --globe
+void addGlobe(Options& options, InputOptions& input);
 /// --device
 void addDeviceChoice(Options& options, BackendOptions& backend);
 /// --backend, --device

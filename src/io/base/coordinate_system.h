@@ -28,6 +28,7 @@ struct CoordinateSystem {
   /// For degrees converted back from such a plane, where edges are straight: its center. A ring around a pole
   /// has all longitudes within 180 degrees of the center, and one edge from the last to the first.
   std::optional<Point> from_plane_around{};
+  bool on_globe = false;  ///< for degrees: edges are great circles
 };
 
 /// WGS 84, longitude before latitude, as in GeoJSON.

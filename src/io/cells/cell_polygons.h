@@ -32,19 +32,21 @@ inline std::span<const Point> verticesOf(const Diagram& diagram, const Ring& rin
 /// The polygons of a cell. Each is a list of rings of points: an outer ring, then its holes. A ring does not
 /// repeat its first point. In degrees from a projection, strongly bent edges get points in between (decision
 /// D135). There, a ring around a pole also follows the meridian opposite to the center to the pole and back,
-/// or to the hole around the pole, so that it is a polygon of longitude and latitude (decision D126). The
-/// diagram must outlive this.
+/// or to the hole around the pole, so that it is a polygon of longitude and latitude (decision D126). Those
+/// on the globe are as in globePolygons. The diagram must outlive this.
 class CellPolygons {
  public:
   using Rings = std::vector<std::span<const Point>>;
 
-  CellPolygons(const Diagram& diagram, std::size_t site, const CoordinateSystem& system);
+  CellPolygons(const Sites& sites, const Diagram& diagram, std::size_t site, const CoordinateSystem& system);
 
   [[nodiscard]] bool empty() const { return polygons_.empty(); }
   [[nodiscard]] std::size_t size() const { return polygons_.size(); }
   [[nodiscard]] const Rings& operator[](std::size_t polygon) const { return polygons_[polygon]; }
 
  private:
+  void addOnGlobe(const Outline& outline);
+
   std::vector<Rings> polygons_;
   std::list<std::vector<Point>> new_rings_;  ///< rings that are not in the diagram
 };

@@ -93,7 +93,7 @@ Result<void> writeGpkgCells(ByteSink& sink, const CellsOutput& output) {
   const Layer layer{"cells", GeometryType::multi_polygon, fieldsOf(output, added), output.system};
   Wkb wkb;
   return writeGeoPackage(sink, layer, output.sites.size(), [&](std::size_t site, FeatureRow& row) {
-    const CellPolygons cell(output.diagram, site, output.system);
+    const CellPolygons cell(output.sites, output.diagram, site, output.system);
     if (cell.empty() && output.only_cells) return false;
     if (!cell.empty()) setPolygons(row, wkb, cell);
     addFields(row, output, added, site);

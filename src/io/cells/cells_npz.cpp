@@ -46,7 +46,11 @@ Result<void> writeNpzCells(ByteSink& sink, const CellsOutput& output) {
   arrays.add<double>("areas", diagram.area);
   arrays.add<double>("perimeters", diagram.perimeter);
   arrays.add<double, 2>("centroids", diagram.centroid);
-  arrays.add<double, 3>("second_moments", diagram.second_moments);
+  if (diagram.solid_angle.empty()) {
+    arrays.add<double, 3>("second_moments", diagram.second_moments);
+  } else {
+    arrays.add<double>("solid_angles", diagram.solid_angle);
+  }
   // Offsets are signed because NumPy's sum of uint64 and int64 is float64.
   arrays.add<std::int64_t>("cell_offsets", diagram.cell_offsets);
   arrays.add<double, 2>("cell_vertices", diagram.vertices);

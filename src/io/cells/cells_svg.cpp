@@ -68,7 +68,7 @@ void printVertices(Bytes& text, const PixelMap& map, std::span<const Point> vert
 
 void printCell(Bytes& text, const PixelMap& map, const CellsOutput& output, std::size_t site) {
   const Diagram& diagram = output.diagram;
-  const CellPolygons cell(diagram, site, output.system);
+  const CellPolygons cell(output.sites, diagram, site, output.system);
   if (cell.empty()) return;
   const bool is_simple = cell.size() == 1 && cell[0].size() == 1;
   const std::string_view shape = is_simple ? "polygon" : "path";

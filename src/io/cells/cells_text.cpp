@@ -131,7 +131,7 @@ Result<void> writeCellFeatures(ByteSink& sink, FeaturesAs as, const CellsOutput&
       printJsonValue(text, output.attributes[k], site);
     }
     text.append(std::string_view("},"));
-    printGeometry(text, {output.diagram, site, output.system});
+    printGeometry(text, {output.sites, output.diagram, site, output.system});
     text.push_back('}');
     return true;
   };
@@ -183,7 +183,7 @@ Result<void> writeWktCells(ByteSink& sink, const CellsOutput& output) {
   VORPIPE_TRY(sink.write("GEOMETRYCOLLECTION ("));
   const auto put = [&](Bytes& text, std::size_t site) {
     text.append(std::string_view(site == 0 ? "\n" : ",\n"));
-    printWkt(text, {diagram, site, output.system});
+    printWkt(text, {output.sites, diagram, site, output.system});
   };
   VORPIPE_TRY(writeEach(sink, diagram.status.size(), put, output.threads));
   return sink.write("\n)\n");

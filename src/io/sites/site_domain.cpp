@@ -311,9 +311,34 @@ void noteNowhere(const Request& request) {
                            boxText(named), words.sites, boxText(all)));
 }
 
+/// Takes the whole Earth, or an outline on it, as the domain. Patterns are spread evenly over it.
+Result<void> takeGlobe(const Request& request) {
+  const auto& [settings, placed, words] = request;
+  if (settings.hull || settings.margin || settings.project || placed.periodic != Periodic::none) {
+    return inputError(fmt::format("{}: is without {}, {}, {} and the sites' hull", words.globe, words.margin,
+                                  words.project, words.periodic));
+  }
+  const auto isPlane = [](const CoordinateSystem& system) { return system.kind == CoordinateKind::plane; };
+  if (isPlane(placed.system) || isPlane(settings.outline_system)) {
+    return inputError(fmt::format("{}: {} says that its coordinates are those of a plane, not degrees",
+                                  words.globe, isPlane(placed.system) ? words.sites : words.domain));
+  }
+  VORPIPE_LET(degrees, outlineInDegrees(request));
+  if (!degrees.empty()) {
+    VORPIPE_TRY(takeOutlines(mendedOnGlobe, request, degrees));
+  }
+  placed.globe = true;
+  placed.system = degreesOf(hasName(placed.system) ? placed.system : settings.outline_system);
+  placed.system.on_globe = true;
+  placed.domain = {-180, -90, 180, 90};
+  if (placed.from == SitesFrom::generator) placed.sites = spreadOverGlobe(std::move(placed.sites));
+  return {};
+}
+
 /// Finds the domain; contradictory settings were refused before.
 Result<void> foundDomain(const Request& request) {
   const auto& [settings, placed, words] = request;
+  if (settings.globe) return takeGlobe(request);
   if (settings.project) {
     VORPIPE_TRY(project(request));
     return checkReach(request);

@@ -39,13 +39,14 @@ struct DomainSettings {
   /// Parts of the outline that are domains by themselves, and may overlap; none: it is one domain.
   std::vector<OutlinePart> parts{};
   bool of_corners = false;  ///< the sites are only a few, with the same box as all
+  bool globe = false;       ///< sites are in degrees, and the domain is the whole Earth
 };
 
 /// The caller's words for things that messages name.
 struct DomainWords {
   std::string sites = "the sites", domain = "domain", box = "a box", margin = "margin", repair = "repair",
               project = "project", project_amid = "a projection", project_around = "a center",
-              periodic = "periodic", density = "density", density_box = "a density box", crs = "crs",
+              globe = "globe", periodic = "periodic", density = "density", density_box = "a density box", crs = "crs",
               beyond = "it is 0 elsewhere";  ///< what is where a density has no pixels
 };
 
@@ -67,6 +68,7 @@ struct PlacedSites {
   Periodic periodic = Periodic::none;
   CoordinateSystem system{};  ///< of the sites as given here
   std::optional<Projection> projection{};
+  bool globe = false;  ///< sites are in degrees, and their cells are those on the sphere
   std::vector<double> longitudes{}, latitudes{};  ///< of the sites, in degrees
   CoordinateSystem degrees{};                     ///< system of those degrees
   std::vector<std::string> notes{};               ///< what was reinterpreted or changed, a line each

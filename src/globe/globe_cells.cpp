@@ -1,0 +1,137 @@
+#include "globe/globe_cells.h"
+
+#include <algorithm>
+#include <vector>
+
+#include "base/parallel.h"
+#include "base/stopwatch.h"
+#include "base/try.h"
+#include "globe/outlined_cells.h"
+#include "globe/sphere_measures.h"
+#include "globe/sphere_mesh.h"
+#include "sites/weights.h"
+
+namespace vorpipe::core {
+namespace {
+
+constexpr std::size_t globe_grain = 1024;
+
+SphereSites placedOn(const Sites& sites, int threads) {
+  const auto count = sites.size();
+  SphereSites placed;
+  placed.direction.resize(count);
+  const bool has_weights = hasWeights(sites);
+  if (has_weights) placed.excess.resize(count), placed.scaled.resize(count);
+  parallelFor(count, globe_grain, threadsForSteps(count, threads), [&](std::size_t begin, std::size_t end) {
+    for (auto i = begin; i < end; ++i) {
+      placed.direction[i] = directionOf({sites.x[i], sites.y[i]});
+      if (!has_weights) continue;
+      placed.excess[i] = excessOf(sites.weight[i]);
+      placed.scaled[i] = (1 + placed.excess[i]) * placed.direction[i];
+    }
+  });
+  return placed;
+}
+
+/// Writes a cell's measures.
+void writeCell(const SphereSites& sites, const SphereCells& cells, std::size_t site, Diagram& diagram) {
+  const auto begin = cells.offsets[site], end = cells.offsets[site + 1];
+  std::span<double> lengths;
+  if (!diagram.edge_lengths.empty()) lengths = std::span(diagram.edge_lengths).subspan(begin, end - begin);
+  const SphereMeasures measures =
+      begin == end ? wholeSphere(sites.direction[site]) : measureCell(sites, cells, site, lengths);
+  diagram.area[site] = measures.area;
+  diagram.solid_angle[site] = measures.solid_angle;
+  diagram.centroid[site] = placeOf(measures.centroid);
+  if (diagram.perimeter.empty()) return;
+  const double radius = earthRadius();
+  diagram.perimeter[site] = radius * measures.perimeter;
+  for (double& length : lengths) length *= radius;
+}
+
+void writeDiagram(const SphereSites& placed, const Sites& sites, const SphereCells& cells, int threads,
+                  Diagram& diagram) {
+  const auto count = sites.size();
+  const bool is_alone = cells.neighbor.empty(), has_places = !cells.place.empty() || is_alone;
+  diagram.status.assign(count, Status::ok);
+  diagram.area.resize(count);
+  diagram.solid_angle.resize(count);
+  diagram.centroid.resize(count);
+  if (has_places) diagram.perimeter.resize(count);
+  diagram.edge_lengths.resize(cells.place.size());
+  parallelFor(count, globe_grain, threads, [&](std::size_t begin, std::size_t end) {
+    for (auto i = begin; i < end; ++i) {
+      const bool is_owned = diagram.owner[i] != i;
+      if (!is_owned && (is_alone || cells.offsets[i] < cells.offsets[i + 1])) {
+        writeCell(placed, cells, i, diagram);
+      } else {
+        diagram.status[i] = is_owned ? Status::duplicate : Status::empty;
+        diagram.centroid[i] = {sites.x[i], sites.y[i]};
+      }
+    }
+  });
+}
+
+/// The triangles by input index, counter-clockwise from the lowest.
+void writeTriangles(const SphereMesh& mesh, int threads, Diagram& diagram) {
+  diagram.triangles.resize(mesh.triangles.size());
+  parallelFor(mesh.triangles.size(), globe_grain, threads, [&](std::size_t begin, std::size_t end) {
+    for (auto t = begin; t < end; ++t) {
+      auto& triangle = diagram.triangles[t];
+      std::ranges::transform(mesh.triangles[t].corner, triangle.begin(),
+                             [&](auto v) { return mesh.site[static_cast<std::size_t>(v)]; });
+      std::ranges::rotate(triangle, std::ranges::min_element(triangle));
+    }
+  });
+}
+
+/// The cells of the whole sphere.
+Result<Diagram> wholeCellsOn(const Sites& sites, const SphereSites& placed, Detail detail, int threads) {
+  const Stopwatch watch;
+  Diagram diagram;
+  auto& times = diagram.report.time_ms;
+  VORPIPE_VAR(mesh, triangulateSphere(placed, threads));
+  times.order = watch.milliseconds();
+  VORPIPE_VAR(cells, cellsOfSphere(placed, mesh, detail != Detail::measures, threads));
+  diagram.owner = std::move(mesh.owner);
+  writeDiagram(placed, sites, cells, threads, diagram);
+  diagram.cell_offsets = std::move(cells.offsets);
+  diagram.neighbors = std::move(cells.neighbor);
+  diagram.vertices = std::move(cells.place);
+  if (detail == Detail::everything) writeTriangles(mesh, threads, diagram);
+  times.cells = watch.milliseconds() - times.order;
+  return diagram;
+}
+
+/// Those inside of an outline.
+Result<Diagram> partCellsOn(const Machine& machine, const Sites& sites, const SphereSites& placed,
+                            const CellsOptions& options, int threads) {
+  VORPIPE_VAR(diagram, outlinedCellsOn(machine, sites, placed, options));
+  diagram.report.hidden = 0;
+  const bool has_triangles = options.detail == Detail::everything;
+  if (!has_triangles && placed.excess.empty()) return std::move(diagram);
+  VORPIPE_LET(mesh, triangulateSphere(placed, threads));
+  if (has_triangles) writeTriangles(mesh, threads, diagram);
+  for (std::size_t v = 0; v < mesh.at.size(); ++v) {
+    if (mesh.at[v] < 0 && mesh.owner[mesh.site[v]] == mesh.site[v]) ++diagram.report.hidden;
+  }
+  return std::move(diagram);
+}
+
+}  // namespace
+
+Result<Diagram> globeCellsOn(const Machine& machine, const Sites& sites, const CellsOptions& options) {
+  const int threads = threadCount(machine.threads);
+  const SphereSites placed = placedOn(sites, threads);
+  VORPIPE_VAR(diagram, options.outline.empty() ? wholeCellsOn(sites, placed, options.detail, threads)
+                                               : partCellsOn(machine, sites, placed, options, threads));
+  auto& report = diagram.report;
+  report.duplicate = static_cast<std::uint64_t>(std::ranges::count(diagram.status, Status::duplicate));
+  report.empty = static_cast<std::uint64_t>(std::ranges::count(diagram.status, Status::empty));
+  if (options.outline.empty()) report.hidden = report.empty;
+  report.ok = sites.size() - report.duplicate - report.empty;
+  nameDevice(machine.backend, report);
+  return std::move(diagram);
+}
+
+}  // namespace vorpipe::core

@@ -1,0 +1,44 @@
+/// The Voronoi cells of places on a sphere.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "globe/direction.h"
+#include "globe/sphere_mesh.h"
+
+namespace vorpipe::core {
+
+/// Cells on the sphere, by site, in rows like those of a Diagram: edge k of a cell runs counter-clockwise
+/// from its vertex k to the next along a great circle, between its site and neighbor k. A sole edge is a
+/// whole great circle. Edges shorter than 1e-6 of their sites' distance, or than rounding, are in neither
+/// cell.
+struct SphereCells {
+  std::vector<std::uint64_t> offsets;  ///< size: sites + 1
+  std::vector<std::int64_t> neighbor;
+  std::vector<Direction> vertex;  ///< the same bits in all cells that meet there
+  std::vector<Point> place;       ///< of each vertex, in degrees, if wanted
+};
+
+/// Error (input): sites so near to each other that rounding leaves one without edges.
+Result<SphereCells> cellsOfSphere(const SphereSites& sites, const SphereMesh& mesh, bool has_places,
+                                  int threads);
+
+/// A part of a great circle, as of an edge.
+struct Arc {
+  Direction begin, end;
+  Direction axis;  ///< unit vector around which the edge turns counter-clockwise
+  double angle;    ///< in radians, up to a whole turn
+};
+
+/// Edge k of a site's cell.
+Arc arcOf(std::span<const Direction> sites, const SphereCells& cells, std::size_t site, std::uint64_t edge);
+/// The edge of a site's cell to a neighbor between two vertices; between the same, if it is the sole edge.
+Arc arcBetween(const Direction& site, const Direction& neighbor, const Direction& begin, const Direction& end,
+               bool is_sole);
+
+/// The place of an arc at a fraction of its length.
+Direction pointOn(const Arc& arc, double fraction);
+
+}  // namespace vorpipe::core

@@ -1,0 +1,224 @@
+#include "globe/sphere_mesh.h"
+
+#include <algorithm>
+#include <limits>
+#include <numeric>
+#include <utility>
+
+#include "base/parallel.h"
+#include "base/refusal.h"
+#include "base/try.h"
+#include "cells/site_mesh.h"
+#include "sites/site_set.h"
+
+namespace vorpipe::core {
+namespace {
+
+constexpr std::size_t sphere_grain = std::size_t{1} << 14;
+
+/// The outermost sites in 14 directions, and the heaviest; the same for any order of the sites.
+std::vector<std::uint32_t> outermost(const SphereSites& sites) {
+  constexpr std::array<Direction, 14> ways{{{0, 0, -1},
+                                            {0, 0, 1},
+                                            {0, -1, 0},
+                                            {0, 1, 0},
+                                            {-1, 0, 0},
+                                            {1, 0, 0},
+                                            {-1, -1, -1},
+                                            {1, -1, -1},
+                                            {-1, 1, -1},
+                                            {1, 1, -1},
+                                            {-1, -1, 1},
+                                            {1, -1, 1},
+                                            {-1, 1, 1},
+                                            {1, 1, 1}}};
+  const auto vectors = sites.vectors();
+  std::vector<std::uint32_t> found(ways.size());
+  for (std::size_t k = 0; k < ways.size(); ++k) {
+    const auto before = [&](std::uint32_t a, std::uint32_t b) {
+      const double of_a = dot(ways[k], vectors[a]), of_b = dot(ways[k], vectors[b]);
+      return of_a != of_b ? of_a > of_b : vectors[a] < vectors[b];
+    };
+    for (std::uint32_t i = 1; i < vectors.size(); ++i) {
+      if (before(i, found[k])) found[k] = i;
+    }
+  }
+  const auto& excess = sites.excess;
+  if (excess.empty()) return found;
+  found.push_back(static_cast<std::uint32_t>(std::ranges::max_element(excess) - excess.begin()));
+  return found;
+}
+
+/// A site to project from: of some, the one whose plane the others are farthest below. Where one is near, the
+/// plane becomes wide. The heaviest has all others below it, save those with which it coincides.
+std::uint32_t centerOf(const SphereSites& sites) {
+  std::uint32_t best = 0;
+  double farthest = -std::numeric_limits<double>::infinity();
+  for (const auto candidate : outermost(sites)) {
+    double nearest = std::numeric_limits<double>::infinity();
+    for (std::uint32_t i = 0; i < sites.direction.size(); ++i) {
+      const double depth = depthOf(sites, candidate, i);
+      // A site in the same direction is hidden, unless it is heavier.
+      const bool is_same = sites.direction[i] == sites.direction[candidate];
+      if (!is_same || depth < 0) nearest = std::min(nearest, depth);
+    }
+    if (nearest > farthest) {
+      farthest = nearest;
+      best = candidate;
+    }
+  }
+  return best;
+}
+
+/// The sites in the plane, seen from outside of the sphere: without those in the direction of the center.
+struct PlaneSites {
+  Sites sites;
+  std::vector<std::uint32_t> site;  ///< by site in the plane
+};
+
+PlaneSites projectFrom(std::uint32_t from, const SphereSites& sites, int threads) {
+  const Direction& center = sites.direction[from];
+  PlaneSites plane;
+  for (std::uint32_t i = 0; i < sites.direction.size(); ++i) {
+    if (sites.direction[i] != center) plane.site.push_back(i);
+  }
+  const auto count = plane.site.size();
+  plane.sites.x.resize(count);
+  plane.sites.y.resize(count);
+  if (!sites.excess.empty()) plane.sites.weight.resize(count);
+  const double own = sites.excessOf(from);
+  const Direction right = perpendicular(center), up = cross(right, center);
+  parallelFor(count, sphere_grain, threads, [&](std::size_t begin, std::size_t end) {
+    for (auto k = begin; k < end; ++k) {
+      const auto site = plane.site[k];
+      const double depth = depthOf(sites, from, site);
+      const double excess = sites.excessOf(site), scale = (1 + excess) / depth;
+      const Direction way = sites.direction[site] - center;
+      plane.sites.x[k] = scale * dot(right, way);
+      plane.sites.y[k] = scale * dot(up, way);
+      if (plane.sites.weight.empty()) continue;
+      const double lack = own - excess, squared = dot(way, way);
+      plane.sites.weight[k] = ((1 + excess) * squared * own - lack * (2 - lack)) / (depth * depth);
+    }
+  });
+  return plane;
+}
+
+/// Sites of the plane that are out of the range of exact decisions.
+Error tooNear() {
+  return refusalOf(Subject::sites, "they are too many, or too near to each other, for one triangulation");
+}
+
+/// Triangulates the plane's sites. What is beyond their hull lies between it and the center.
+Result<void> closeAround(std::uint32_t center, const PlaneSites& plane, const SiteSet& set, int threads,
+                         SphereMesh& mesh) {
+  if (!canTriangulate(set)) return tl::unexpected(tooNear());
+  PartMesh part = triangulate(set, allOf(set), threads);
+  mesh.triangles = std::move(part.mesh.triangles);
+  if (mesh.triangles.empty()) return {};
+  mesh.site = std::move(part.site);
+  for (auto& site : mesh.site) site = plane.site[set.id[site]];
+  mesh.at = std::move(part.mesh.at);
+  const auto of_center = static_cast<std::int32_t>(mesh.site.size());
+  mesh.site.push_back(center);
+  mesh.at.push_back(-1);
+  for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+    for (auto& corner : mesh.triangles[t].corner) {
+      if (corner != ghost) continue;
+      corner = of_center;
+      mesh.at.back() = static_cast<std::int32_t>(t);
+    }
+  }
+  if (set.weight.empty()) return {};
+  for (std::size_t v = 0; v < mesh.at.size(); ++v) {
+    const auto& corner = mesh.triangles[static_cast<std::size_t>(mesh.at[v])].corner;
+    if (std::ranges::find(corner, static_cast<std::int32_t>(v)) == corner.end()) mesh.at[v] = -1;
+  }
+  return {};
+}
+
+/// A hidden site in the direction of one with a cell is its duplicate.
+void ownHidden(const SphereSites& sites, SphereMesh& mesh) {
+  if (sites.excess.empty()) return;
+  std::vector<std::uint8_t> has_cell(sites.direction.size());
+  for (const auto site : mesh.circle) has_cell[site] = 1;
+  for (std::size_t v = 0; v < mesh.at.size(); ++v) {
+    if (mesh.at[v] >= 0) has_cell[mesh.site[v]] = 1;
+  }
+  const auto directionAt = [&](std::uint32_t site) { return sites.direction[site]; };
+  std::vector<std::uint32_t> hidden;
+  for (std::uint32_t i = 0; i < has_cell.size(); ++i) {
+    if (has_cell[i] == 0 && mesh.owner[i] == i) hidden.push_back(i);
+  }
+  std::ranges::sort(hidden, {}, directionAt);
+  for (std::uint32_t i = 0; i < has_cell.size(); ++i) {
+    if (has_cell[i] == 0) continue;
+    for (const auto site : std::ranges::equal_range(hidden, directionAt(i), {}, directionAt))
+      mesh.owner[site] = i;
+  }
+  for (auto& owner : mesh.owner) owner = mesh.owner[owner];
+}
+
+/// Drops sites on a line, given in order, that weights hide: those above the lower hull of x^2 + y^2 - w.
+void dropHidden(const Sites& sites, std::vector<std::uint32_t>& order) {
+  const auto first = order.front();
+  const auto along = [&](std::uint32_t k) {
+    return std::hypot(sites.x[k] - sites.x[first], sites.y[k] - sites.y[first]);
+  };
+  const auto height = [&](std::uint32_t k) { return along(k) * along(k) - sites.weight[k]; };
+  std::size_t kept = 0;
+  for (const auto k : order) {
+    while (kept >= 2) {
+      const auto a = order[kept - 2], b = order[kept - 1];
+      if ((height(b) - height(a)) * (along(k) - along(b)) < (height(k) - height(b)) * (along(b) - along(a)))
+        break;
+      --kept;
+    }
+    order[kept++] = k;
+  }
+  order.resize(kept);
+}
+
+/// Sites on a line of the plane that have cells, in order: on the sphere they follow each other around a
+/// circle.
+std::vector<std::uint32_t> alongLine(const PlaneSites& plane, const std::vector<std::uint32_t>& owner) {
+  std::vector<std::uint32_t> order;
+  for (std::uint32_t k = 0; k < plane.site.size(); ++k) {
+    if (owner[plane.site[k]] == plane.site[k]) order.push_back(k);
+  }
+  const auto& [x, y, weight] = plane.sites;
+  std::ranges::sort(order, {}, [&](auto k) { return std::pair(x[k], y[k]); });
+  if (!weight.empty()) dropHidden(plane.sites, order);
+  for (auto& k : order) k = plane.site[k];
+  return order;
+}
+
+}  // namespace
+
+Result<SphereMesh> triangulateSphere(const SphereSites& sites, int threads) {
+  const auto& directions = sites.direction;
+  SphereMesh mesh;
+  mesh.owner.resize(directions.size());
+  std::iota(mesh.owner.begin(), mesh.owner.end(), 0u);
+  const auto center = centerOf(sites);
+  const PlaneSites plane = projectFrom(center, sites, threads);
+  for (std::uint32_t i = 0; i < directions.size(); ++i) {
+    if (directions[i] == directions[center]) mesh.owner[i] = center;
+  }
+  if (!plane.site.empty()) {
+    const auto prepared = prepare(plane.sites, domainOf(plane.sites), threads);
+    if (!prepared) return tl::unexpected(tooNear());
+    for (std::size_t k = 0; k < plane.site.size(); ++k) {
+      mesh.owner[plane.site[k]] = plane.site[prepared->owner[k]];
+    }
+    VORPIPE_TRY(closeAround(center, plane, prepared->set, threads, mesh));
+  }
+  if (mesh.triangles.empty()) {
+    mesh.circle = alongLine(plane, mesh.owner);
+    mesh.circle.push_back(center);
+  }
+  ownHidden(sites, mesh);
+  return mesh;
+}
+
+}  // namespace vorpipe::core
