@@ -14,6 +14,7 @@ namespace vorpipe::core {
 namespace {
 
 constexpr double pi = std::numbers::pi, half_turn_of_map = whole_turn / 2;
+constexpr std::size_t fewest_corners = 3;
 /// Directions as near to each other, or to a plane, are in the same place.
 constexpr double same = 1e-12;
 /// A flat map has no line through a place as near to a pole.
@@ -249,8 +250,7 @@ std::vector<std::vector<Point>> ringsOf(const SphereMap& map, const Sites& sites
   } else {
     rings.push_back(seenRing(map, vectors, diagram, site));
   }
-  constexpr std::size_t fewest = 3;
-  std::erase_if(rings, [](const auto& ring) { return ring.size() < fewest; });
+  std::erase_if(rings, [](const auto& ring) { return ring.size() < fewest_corners; });
   return rings;
 }
 
