@@ -29,7 +29,7 @@ double slopeAt(double t) {
 }
 
 /// The distance from the middle meridian, in radii for each radian of longitude.
-double widthAt(double t) { return std::cos(t) / (half_of_root * 1.5 * slopeAt(t)); }
+double widthAt(double t) { return std::cos(t) / (half_of_root * slopeAt(t)); }
 
 /// The parametric latitude at a height, by Newton's method: the slope varies little.
 double parameterAt(double height) {

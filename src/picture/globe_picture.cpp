@@ -83,10 +83,13 @@ std::vector<std::uint32_t> colorsOf(const PaletteIndices& found, const Palette& 
 }  // namespace
 
 Result<Rendering> renderGlobe(const Machine& machine, const Sites& sites, const RenderOptions& options) {
-  const int threads = threadCount(machine.threads);
   CellsOptions wanted = cellsOptions(options);
   wanted.detail = marksDetail(options);
   VORPIPE_VAR(diagram, globeCellsOn(machine, sites, wanted));
+  return drawGlobe(sites, std::move(diagram), options, threadCount(machine.threads));
+}
+
+Result<Rendering> drawGlobe(const Sites& sites, Diagram diagram, const RenderOptions& options, int threads) {
   const Stopwatch watch;
   VORPIPE_VAR(found, paletteIndices(sites, diagram, options, threads));
   VORPIPE_LET(palette, paletteOf(options, found.key));
