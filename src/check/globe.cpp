@@ -7,7 +7,7 @@
 namespace vorpipe::core::checks {
 namespace {
 
-constexpr double pi = std::numbers::pi, sphere_slack = 1e-12;
+constexpr double sphere_slack = 1e-12;
 
 class GlobeCheck {
  public:

@@ -7,8 +7,6 @@
 namespace vorpipe::core::checks {
 namespace {
 
-constexpr double pi = std::numbers::pi;
-
 struct SphereVectors {
   const std::vector<SpaceVector>& at;
   [[nodiscard]] std::size_t kdtree_get_point_count() const { return at.size(); }

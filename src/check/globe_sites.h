@@ -13,7 +13,7 @@
 
 namespace vorpipe::core::checks {
 
-inline constexpr double half_turn = 180;
+inline constexpr double pi = std::numbers::pi, half_turn = 180;
 /// km2, of WGS 84: 2 pi a^2 + pi b^2 / e ln((1 + e) / (1 - e))
 inline constexpr double earth_area = 510065621.7240887;
 

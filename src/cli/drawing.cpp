@@ -192,6 +192,9 @@ Result<RenderOptions> pictureOf(const PictureOptions& picture, const InputOption
   options.periodic = input.periodic;
   options.globe = input.globe;
   VORPIPE_TRY(checkMap(picture, input.globe));
+  if (input.globe && !input.outline.empty()) {
+    return inputError("--domain: pictures of --globe show the whole Earth");
+  }
   VORPIPE_TRY(takeSize(picture, options));
   options.fit = input.globe ? Fit::letterbox : picture.fit.value_or(usualFit(input));
   options.fill = !picture.no_fill;

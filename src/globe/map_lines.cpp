@@ -13,7 +13,8 @@
 namespace vorpipe::core {
 namespace {
 
-constexpr double pi = std::numbers::pi, half_turn_of_map = whole_turn / 2;
+/// In radians.
+constexpr double half_circle = std::numbers::pi;
 constexpr std::size_t fewest_corners = 3;
 /// Directions as near to each other, or to a plane, are in the same place.
 constexpr double same = 1e-12;
@@ -37,7 +38,7 @@ std::vector<double> crossings(const Arc& arc, const Direction& normal) {
   const double a = dot(arc.begin, normal), b = dot(cross(arc.axis, arc.begin), normal);
   std::vector<double> found;
   if (std::hypot(a, b) < same) return found;
-  for (double angle = std::atan2(-a, b) - 2 * pi; angle < arc.angle; angle += pi) {
+  for (double angle = std::atan2(-a, b) - 2 * half_circle; angle < arc.angle; angle += half_circle) {
     if (angle > 0) found.push_back(angle);
   }
   return found;
@@ -79,7 +80,7 @@ Point placeAtEnd(const Direction& end, const Direction& inside) {
   Point place = placeOf(end);
   const Point from = placeOf(inside);
   if (std::hypot(end.x, end.y) < beside_pole) return {from.x, std::copysign(quarter_turn, end.z)};
-  if (isOnAntimeridian(end)) place.x = std::copysign(half_turn_of_map, from.x);
+  if (isOnAntimeridian(end)) place.x = std::copysign(antimeridian, from.x);
   return place;
 }
 
@@ -137,7 +138,7 @@ class SmoothLine {
 void addBothSides(const SphereMap& map, const Arc& arc, Stretch stretch,
                   std::vector<std::vector<Point>>& lines) {
   const auto steps = std::max(1, static_cast<int>(std::ceil((stretch.to - stretch.from) / degree)));
-  for (const double side : {-half_turn_of_map, half_turn_of_map}) {
+  for (const double side : {-antimeridian, antimeridian}) {
     std::vector<Point>& line = lines.emplace_back();
     for (int k = 0; k <= steps; ++k) {
       const double angle = stretch.from + (stretch.to - stretch.from) * k / steps;
@@ -157,7 +158,7 @@ void append(const std::vector<Point>& line, std::vector<Point>& ring) {
 std::vector<Point> horizonBetween(const SphereMap& map, const Direction& from, const Direction& to) {
   if (lengthOf(to - from) < beside_pole) return {};
   double angle = std::atan2(dot(map.viewer(), cross(from, to)), dot(from, to));
-  if (angle < 0) angle += 2 * pi;
+  if (angle < 0) angle += 2 * half_circle;
   return SmoothLine(map, {from, to, map.viewer(), angle}, {0, angle}).take();
 }
 
@@ -203,7 +204,7 @@ std::vector<Point> flatRing(const SphereMap& map, const std::vector<Point>& degr
   for (std::size_t k = 0; k < degrees.size(); ++k) {
     const Point from = degrees[k], to = degrees[k + 1 < degrees.size() ? k + 1 : 0];
     ring.push_back(map.flat(from));
-    if (from.x != to.x || std::abs(from.x) != half_turn_of_map) continue;
+    if (from.x != to.x || std::abs(from.x) != antimeridian) continue;
     const auto steps = static_cast<int>(std::ceil(std::abs(to.y - from.y)));
     for (int j = 1; j < steps; ++j) ring.push_back(map.flat({from.x, from.y + (to.y - from.y) * j / steps}));
   }

@@ -9,8 +9,6 @@
 namespace vorpipe::core {
 namespace {
 
-constexpr double half_turn = whole_turn / 2;
-
 // Savric, Patterson and Jenny 2018, "The Equal Earth map projection": a polynomial of the parametric
 // latitude t, where sin(t) = sqrt(3) / 2 sin(latitude); the latitude is authalic, as in EPSG:8857.
 constexpr double a1 = 1.340264, a2 = -0.081106, a3 = 0.000893, a4 = 0.003796;
@@ -53,7 +51,7 @@ Box equalEarthBox() {
 }  // namespace
 
 const Box& boxOfMap(const RenderOptions& options) {
-  static const Box degrees{-half_turn, -quarter_turn, half_turn, quarter_turn}, disc{-1, -1, 1, 1},
+  static const Box degrees{-antimeridian, -quarter_turn, antimeridian, quarter_turn}, disc{-1, -1, 1, 1},
       equal_earth = equalEarthBox();
   if (options.view_from) return disc;
   return options.map == GlobeMap::equal_earth ? equal_earth : degrees;
@@ -93,9 +91,9 @@ std::vector<Point> SphereMap::border() const {
   } else if (equal_earth_) {
     constexpr int quarter = 90;
     for (int latitude = -quarter; latitude <= quarter; ++latitude)
-      ring.push_back(flat({half_turn, static_cast<double>(latitude)}));
+      ring.push_back(flat({antimeridian, static_cast<double>(latitude)}));
     for (int latitude = quarter; latitude >= -quarter; --latitude)
-      ring.push_back(flat({-half_turn, static_cast<double>(latitude)}));
+      ring.push_back(flat({-antimeridian, static_cast<double>(latitude)}));
   }
   return ring;
 }

@@ -4,11 +4,14 @@
 #include <optional>
 #include <vector>
 
+#include "domain/degrees.h"
 #include "globe/direction.h"
 #include "globe/sphere_cells.h"
 #include "vorpipe/picture.h"
 
 namespace vorpipe::core {
+
+inline constexpr double antimeridian = whole_turn / 2;  ///< longitude, in degrees
 
 /// The box around the map that a picture of the globe shows, in the map's unit: degrees, meters, or radii of
 /// the globe.

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "base/option_rows.h"
+#include "base/refusal.h"
 #include "base/try.h"
 #include "globe/sphere_map.h"
 #include "vorpipe.h"
@@ -140,6 +141,9 @@ Result<void> checkPicture(const RenderOptions& options) {
   if (std::min(options.width, options.height) < 1 || std::max(options.width, options.height) > largest_side) {
     return refusePicture(fmt::format("a picture of {}x{} pixels: each side must be 1 to {}", options.width,
                                      options.height, largest_side));
+  }
+  if (options.globe && !options.outline.empty()) {
+    return tl::unexpected(refusalOf(Subject::outline, "is for a plane; pictures of the globe show all of it"));
   }
   if (options.legend && !options.legend_beside &&
       (options.width < least_with_legend.width || options.height < least_with_legend.height)) {
