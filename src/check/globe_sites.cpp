@@ -133,8 +133,8 @@ std::optional<SpaceVector> GlobePixels::at(int row, int column) const {
   const double sine = std::hypot(part.x, part.y), cosine = std::sqrt(std::max(0.0, 1 - sine * sine));
   const double from = options_.view_from->y / half_turn * pi;
   if (sine == 0) return toward(*options_.view_from);
-  const double latitude = std::asin(
-      std::clamp(cosine * std::sin(from) + part.y * sine * std::cos(from) / sine, -1.0, 1.0));
+  const double latitude =
+      std::asin(std::clamp(cosine * std::sin(from) + part.y * sine * std::cos(from) / sine, -1.0, 1.0));
   const double east =
       std::atan2(part.x * sine, sine * std::cos(from) * cosine - part.y * std::sin(from) * sine);
   return toward({options_.view_from->x + east / pi * half_turn, latitude / pi * half_turn});

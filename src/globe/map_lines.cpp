@@ -96,8 +96,7 @@ class SmoothLine {
     Point from = first;
     double begin = stretch.from;
     for (int k = 1; k <= steps; ++k) {
-      const double angle =
-          k == steps ? stretch.to : stretch.from + (stretch.to - stretch.from) * k / steps;
+      const double angle = k == steps ? stretch.to : stretch.from + (stretch.to - stretch.from) * k / steps;
       const Point to = k == steps ? last : placed(angle);
       add(begin, from, angle, to, 0);
       begin = angle;
@@ -137,7 +136,8 @@ class SmoothLine {
 /// A line along the antimeridian, as a flat map has it on both sides.
 void addBothSides(const SphereMap& map, const Arc& arc, Stretch stretch,
                   std::vector<std::vector<Point>>& lines) {
-  const auto steps = std::max(1, static_cast<int>(std::ceil((stretch.to - stretch.from) / degree)));
+  const auto steps =
+      std::max(1, static_cast<int>(std::ceil((stretch.to - stretch.from) / (border_step * degree))));
   for (const double side : {-antimeridian, antimeridian}) {
     std::vector<Point>& line = lines.emplace_back();
     for (int k = 0; k <= steps; ++k) {
@@ -205,7 +205,7 @@ std::vector<Point> flatRing(const SphereMap& map, const std::vector<Point>& degr
     const Point from = degrees[k], to = degrees[k + 1 < degrees.size() ? k + 1 : 0];
     ring.push_back(map.flat(from));
     if (from.x != to.x || std::abs(from.x) != antimeridian) continue;
-    const auto steps = static_cast<int>(std::ceil(std::abs(to.y - from.y)));
+    const auto steps = static_cast<int>(std::ceil(std::abs(to.y - from.y) / border_step));
     for (int j = 1; j < steps; ++j) ring.push_back(map.flat({from.x, from.y + (to.y - from.y) * j / steps}));
   }
   return ring;

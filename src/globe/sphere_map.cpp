@@ -89,11 +89,9 @@ std::vector<Point> SphereMap::border() const {
       ring.push_back({std::cos(angle), std::sin(angle)});
     }
   } else if (equal_earth_) {
-    constexpr int quarter = 90;
-    for (int latitude = -quarter; latitude <= quarter; ++latitude)
-      ring.push_back(flat({antimeridian, static_cast<double>(latitude)}));
-    for (int latitude = quarter; latitude >= -quarter; --latitude)
-      ring.push_back(flat({-antimeridian, static_cast<double>(latitude)}));
+    constexpr auto steps = static_cast<int>(2 * quarter_turn / border_step);
+    for (int k = 0; k <= steps; ++k) ring.push_back(flat({antimeridian, k * border_step - quarter_turn}));
+    for (int k = steps; k >= 0; --k) ring.push_back(flat({-antimeridian, k * border_step - quarter_turn}));
   }
   return ring;
 }

@@ -13,6 +13,9 @@ namespace vorpipe::core {
 
 inline constexpr double antimeridian = whole_turn / 2;  ///< longitude, in degrees
 
+/// Degrees between points along the antimeridian, which is a curve on some maps.
+inline constexpr double border_step = 0.5;
+
 /// The box around the map that a picture of the globe shows, in the map's unit: degrees, meters, or radii of
 /// the globe.
 const Box& boxOfMap(const RenderOptions& options);
@@ -47,7 +50,7 @@ class SphereMap {
 
    private:
     const SphereMap& map_;
-    double y_, radians_ = 0;         ///< of longitude, for each unit of x
+    double y_, radians_ = 0;        ///< of longitude, for each unit of x
     double sine_ = 0, cosine_ = 0;  ///< of the latitude
   };
 

