@@ -6,6 +6,7 @@
 
 #include "base/parallel.h"
 #include "domain/degrees.h"
+#include "domain/rings.h"
 #include "globe/sphere_map.h"
 #include "vorpipe/cell.h"
 #include "vorpipe/globe.h"
@@ -199,7 +200,7 @@ std::vector<Point> seenRing(const SphereMap& map, const std::vector<Direction>& 
 }
 
 /// A ring of degrees on a flat map. Its sides along the antimeridian are curves.
-std::vector<Point> flatRing(const SphereMap& map, const std::vector<Point>& degrees) {
+std::vector<Point> flatRing(const SphereMap& map, std::span<const Point> degrees) {
   std::vector<Point> ring;
   for (std::size_t k = 0; k < degrees.size(); ++k) {
     const Point from = degrees[k], to = degrees[k + 1 < degrees.size() ? k + 1 : 0];
@@ -247,7 +248,9 @@ std::vector<std::vector<Point>> ringsOf(const SphereMap& map, const Sites& sites
   if (diagram.status[site] != Status::ok) return {};
   std::vector<std::vector<Point>> rings;
   if (map.isFlat()) {
-    for (const auto& polygon : globePolygons(sites, diagram, site)) rings.push_back(flatRing(map, polygon));
+    const Outline polygons = globePolygons(sites, diagram, site);
+    for (std::size_t r = 0; r + 1 < polygons.ring_offsets.size(); ++r)
+      rings.push_back(flatRing(map, ringAt(polygons, r)));
   } else {
     rings.push_back(seenRing(map, vectors, diagram, site));
   }

@@ -465,4 +465,32 @@ fails 2 "a title of frames" "--title: is for pictures" relax --backend cpu --sit
 succeeds "labels of a relaxation" relax --backend cpu --sites in/rain.csv --iterations 2 --labels @kind --color @rain --title T --picture out/relaxed.svg
 grep -q '>T</text>' out/relaxed.svg && grep -q '>b</text>' out/relaxed.svg || fail "the title or a label is missing"
 
+# Outlines on the globe: each run checks its cells, and the area is that of the outline on the ellipsoid.
+globe() {
+  name="$1 on the globe"
+  cases=$((cases + 1))
+  local low=$2 high=$3
+  shift 3
+  run 0 $cells --globe --quiet "$@"
+  area "$low" "$high"
+}
+globe "a box across 180 degrees" 2473440 2473460 --sites random:300 --domain 170,50,190,70
+globe "the cap of a pole" 34415810 34415820 --sites random:300 --domain -180,-90,180,-60
+globe "a belt around a pole" 30507250 30507270 --sites random:300 --domain -180,-80,180,-60
+globe "a box that no site is in" 12253 12254 --sites random:9 --domain 10,5,11,6
+globe "Italy" 300000 303000 --sites "$navaids" --domain "$italy"
+globe "weights in a box" 12253 12254 --sites random:300 --random-weights 0,1e6 --domain 10,5,11,6
+printf '{"type":"FeatureCollection","features":[
+{"type":"Feature","properties":{"name":"east"},"geometry":{"type":"Polygon","coordinates":[[[178,-20],[180,-20],[180,-15],[178,-15],[178,-20]]]}},
+{"type":"Feature","properties":{"name":"west"},"geometry":{"type":"Polygon","coordinates":[[[-180,-20],[-179,-20],[-179,-15],[-180,-15],[-180,-20]]]}},
+{"type":"Feature","properties":{"name":"far"},"geometry":{"type":"Polygon","coordinates":[[[0,10],[2,10],[2,12],[0,12],[0,10]]]}}]}' >in/fiji.geojson
+globe "what a file cuts at 180 degrees" 224600 224603 --sites random:3000 --domain in/fiji.geojson
+succeeds "parts by name on the globe" cells --backend cpu --globe --check --quiet --sites random:3000 --domain in/fiji.geojson --by name -o out/parts.csv
+awk -F, 'NR > 1 { share[$1] += $NF } END { for (name in share) if (share[name] < 0.999999 || share[name] > 1.000001) exit 1; exit length(share) != 3 }' out/parts.csv ||
+  fail "the shares of a part do not add up to 1"
+fails 2 "a box of the whole Earth" "it is the whole Earth" cells --globe --sites random:9 --domain -180,-90,180,90 -o out/s.csv
+fails 2 "an outline around the Earth" "on the globe a polygon reaches at most 88" cells --globe --sites random:9 --domain -180,-90,180,0 -o out/s.csv
+fails 2 "a margin on the globe" "--globe: is without --margin" cells --globe --sites "$navaids" --margin 1 -o out/s.csv
+fails 2 "a system of a plane on the globe" "not degrees" cells --globe --sites random:9 --crs EPSG:25832 -o out/s.csv
+
 finish

@@ -196,7 +196,7 @@ def refused(maps):
     for options, wanted in (
         (["--view", "0,0,1,1"], "--view: is for a plane"),
         (["--fit", "stretch"], "--fit: is for a plane"),
-        (["--domain", "0,0,1,1"], "--globe"),
+        (["--domain", "0,0,1,1"], "--domain: pictures of --globe"),
         (["--project", "auto"], "--globe"),
         (["--search", "flann"], "--search: FLANN"),
         (["--map", "mercator"], "--map: \"mercator\" is not plate-carree or equal-earth"),
