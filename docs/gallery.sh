@@ -122,8 +122,10 @@ fi
 
 draw masts --sites "$root/docs/examples/masts.csv" --color weight --edges --show-sites --antialias 4 --size 800
 
-alike airports --sites "$root/tests/data/navaids.csv" --domain -180,-90,180,90 --color area --legend --antialias 2 \
-  --size 1600 --quiet
+draw airports --globe --sites "$root/tests/data/navaids.csv" --map equal-earth --color area --legend --antialias 4 --size 1600 \
+  --quiet
+draw globe --globe --sites "$root/tests/data/navaids.csv" --view-from=-40,50 --color area \
+  --colormap '#ffffe5,#fdae61,#74add1,#b5d6ea' --edges --edge-color '#1b3a57' --antialias 4 --size 800 --quiet
 alike italy --sites "$root/tests/data/navaids.csv" --domain "$root/docs/examples/italy.geojson" --project auto --color area \
   --edges --edge-width 1.5 --show-sites --antialias 4 --size 1200 --quiet
 draw cities --sites "$root/docs/examples/italian-cities.csv" --domain "$root/docs/examples/italy.geojson" --project auto \

@@ -38,6 +38,8 @@ inline constexpr std::array<std::string_view, 4> names_of<ColorScale>{"automatic
 template <>
 inline constexpr std::array<std::string_view, 2> names_of<Fit>{"stretch", "letterbox"};
 template <>
+inline constexpr std::array<std::string_view, 2> names_of<GlobeMap>{"plate-carree", "equal-earth"};
+template <>
 inline constexpr std::array<std::string_view, 2> names_of<RelaxMethod>{"lbfgs", "lloyd"};
 template <>
 inline constexpr std::array<std::string_view, 4> names_of<RelaxEnd>{"iterations", "tolerance", "stagnated",

@@ -69,4 +69,8 @@ void checkNearest(const CheckedCells& run, const NearestSite& nearest, Broken& b
 std::vector<std::string> brokenOnGlobe(const Sites& sites, const CellsOptions& options,
                                        const Diagram& diagram, int threads);
 
+/// The same of a picture of the globe.
+std::vector<std::string> brokenInGlobePicture(const Sites& sites, const RenderOptions& options,
+                                              const Rendering& rendering, int threads);
+
 }  // namespace vorpipe::core::checks

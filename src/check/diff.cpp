@@ -8,6 +8,7 @@
 
 #include "base/refusal.h"
 #include "base/try.h"
+#include "check/globe_sites.h"
 #include "check/run.h"
 #include "vorpipe.h"
 
@@ -293,7 +294,31 @@ Result<IdDiff> diffIds(Ids a, Ids b, int width, int height, const Sites& sites, 
   return diffIds(a, b, sites, options);
 }
 
+namespace {
+
+/// The same for pixels of the globe.
+IdDiff diffOnGlobe(Ids a, Ids b, const Sites& sites, const RenderOptions& options) {
+  const core::checks::GlobeSites placed(sites);
+  const core::checks::GlobePixels places(options);
+  const PictureFrame& frame = places.frame();
+  const PixelGrid pictures{options.width, options.height},
+      grid{frame.width, frame.height, options.width, frame.top, frame.left};
+  return compare(a, b, pictures, grid, [&](int row, int column, std::uint32_t of_a, std::uint32_t of_b) {
+    const auto place = places.at(row, column);
+    if (!place || of_a >= placed.size() || of_b >= placed.size()) {
+      return std::numeric_limits<double>::infinity();
+    }
+    return places.pixelsOfRadian() * std::abs(placed.beyond(of_a, of_b, *place));
+  });
+}
+
+}  // namespace
+
 Result<IdDiff> diffIds(Ids a, Ids b, const Sites& sites, const RenderOptions& options) {
+  if (options.globe) {
+    VORPIPE_TRY(checkView(options));
+    return diffOnGlobe(a, b, sites, options);
+  }
   const Box& domain = options.domain;
   const bool valid = std::isfinite(domain.xmax - domain.xmin) && domain.xmin < domain.xmax &&
                      std::isfinite(domain.ymax - domain.ymin) && domain.ymin < domain.ymax;

@@ -1,58 +1,22 @@
 // The promises of cells on the globe.
-#include <nanoflann.hpp>
-
-#include <numbers>
 #include <unordered_map>
 
 #include "check/checks.h"
+#include "check/globe_sites.h"
 
 namespace vorpipe::core::checks {
 namespace {
 
-constexpr double pi = std::numbers::pi, half_turn = 180;
-constexpr double earth_area =
-    510065621.7240887;  ///< km2, of WGS 84: 2 pi a^2 + pi b^2 / e ln((1 + e) / (1 - e))
 constexpr double sphere_slack = 1e-12, outline_slack = 1e-5;
-
-/// A place in space, and a fourth coordinate: of sites with weights, what makes the nearest of them in four
-/// dimensions the one whose cell has a place of the sphere, x . v largest: |x - v|^2 + |v'|^2 - |v|^2 least,
-/// where v' is the longest.
-using SpaceVector = std::array<double, 4>;
-
-SpaceVector toward(Point degrees) {
-  const double x = degrees.x / half_turn * pi, y = degrees.y / half_turn * pi;
-  return {std::cos(y) * std::cos(x), std::cos(y) * std::sin(x), std::sin(y), 0};
-}
-
-double chordOf(const SpaceVector& a, const SpaceVector& b) {
-  return std::hypot(std::hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]), a[3] - b[3]);
-}
-
-/// The sites in space.
-struct SphereVectors {
-  std::vector<SpaceVector> at;
-  [[nodiscard]] std::size_t kdtree_get_point_count() const { return at.size(); }
-  [[nodiscard]] double kdtree_get_pt(std::uint32_t k, std::size_t axis) const { return at[k][axis]; }
-  template <class Bounds>
-  bool kdtree_get_bbox(Bounds&) const {
-    return false;
-  }
-};
-
-using Tree = nanoflann::KDTreeSingleIndexAdaptor<
-    nanoflann::L2_Simple_Adaptor<double, SphereVectors, double, std::uint32_t>, SphereVectors, 3,
-    std::uint32_t>;
 
 class GlobeCheck {
  public:
   GlobeCheck(const Sites& sites, const CellsOptions& options, const Diagram& diagram, int threads)
-      : diagram_(diagram),
+      : sites_(sites),
+        diagram_(diagram),
         outline_(options.outline),
         detail_(options.detail),
-        threads_(threadCount(threads)),
-        tree_(4, placed(sites), {16}) {
-    tree_.buildIndex();
-  }
+        threads_(threadCount(threads)) {}
 
   std::vector<std::string> run() {
     if (!checkArrays()) return broken_.take();
@@ -69,28 +33,7 @@ class GlobeCheck {
   }
 
  private:
-  static constexpr std::uint32_t none = ~std::uint32_t{0};
-
-  const SphereVectors& placed(const Sites& sites) {
-    has_weights_ = !sites.weight.empty();
-    std::vector<double> longer(sites.size());
-    for (std::size_t i = 0; i < sites.size(); ++i) {
-      SpaceVector at = toward({sites.x[i], sites.y[i]});
-      if (has_weights_) {
-        // Of a cap of angular radius r: 1 / cos(r).
-        const double weight = sites.weight[i], radius = std::sqrt(std::abs(weight) * 4 * pi / earth_area);
-        const double length = weight < 0 ? 1 / std::cosh(radius) : 1 / std::cos(radius);
-        for (double& coordinate : at) coordinate *= length;
-        longer[i] = length * length;
-      }
-      sites_.at.push_back(at);
-    }
-    const double longest = has_weights_ ? *std::ranges::max_element(longer) : 0;
-    for (std::size_t i = 0; i < sites.size(); ++i) sites_.at[i][3] = std::sqrt(longest - longer[i]);
-    return sites_;
-  }
-
-  [[nodiscard]] std::size_t size() const { return sites_.at.size(); }
+  [[nodiscard]] std::size_t size() const { return sites_.size(); }
   [[nodiscard]] std::size_t begin(std::size_t i) const { return diagram_.cell_offsets[i]; }
   [[nodiscard]] std::size_t end(std::size_t i) const { return diagram_.cell_offsets[i + 1]; }
   /// The edge after one of a cell, around its ring.
@@ -131,7 +74,7 @@ class GlobeCheck {
 
   /// The distance of two sites' directions.
   [[nodiscard]] double angleBetween(std::size_t i, std::size_t j) const {
-    const auto &a = sites_.at[i], &b = sites_.at[j];
+    const auto &a = sites_[i], &b = sites_[j];
     const double of_a = std::hypot(a[0], a[1], a[2]), of_b = std::hypot(b[0], b[1], b[2]);
     return std::hypot(a[0] / of_a - b[0] / of_b, a[1] / of_a - b[1] / of_b, a[2] / of_a - b[2] / of_b);
   }
@@ -143,8 +86,8 @@ class GlobeCheck {
       const auto owner = diagram_.owner[i];
       const bool is_own = owner == i;
       const bool is_hidden =
-          (has_weights_ || !outline_.empty()) && is_own && diagram_.status[i] == Status::empty;
-      if ((owner > i && !has_weights_) || is_own != (diagram_.status[i] == Status::ok || is_hidden) ||
+          (sites_.hasWeights() || !outline_.empty()) && is_own && diagram_.status[i] == Status::empty;
+      if ((owner > i && !sites_.hasWeights()) || is_own != (diagram_.status[i] == Status::ok || is_hidden) ||
           (!is_own && diagram_.status[i] != Status::duplicate)) {
         return fmt::format("site {} is owned by site {}", i, owner);
       }
@@ -253,7 +196,7 @@ class GlobeCheck {
     double farthest = 0;
     for (auto e = begin(i); e < end(i); ++e) {
       if (isOutline(e)) continue;
-      const double away = chordOf(sites_.at[i], sites_.at[static_cast<std::size_t>(diagram_.neighbors[e])]);
+      const double away = chordOf(sites_[i], sites_[static_cast<std::size_t>(diagram_.neighbors[e])]);
       nearest = std::min(nearest, away);
       farthest = std::max(farthest, away);
     }
@@ -262,17 +205,12 @@ class GlobeCheck {
   }
 
   [[nodiscard]] std::uint32_t nearestTo(const SpaceVector& place) const {
-    std::uint32_t site = none;
-    double squared = 0;
-    nanoflann::KNNResultSet<double, std::uint32_t> found(1);
-    found.init(&site, &squared);
-    tree_.findNeighbors(found, place.data(), {});
-    return diagram_.owner[site];
+    return diagram_.owner[sites_.nearestTo(place)];
   }
 
   /// How much farther a distance in four dimensions is, in terms of distances on the sphere.
   [[nodiscard]] double farther(double far, double near) const {
-    return has_weights_ ? (far - near) * (far + near) / 2 : far - near;
+    return sites_.hasWeights() ? (far - near) * (far + near) / 2 : far - near;
   }
 
   /// No site is nearer to a vertex than those whose cells meet there.
@@ -281,13 +219,13 @@ class GlobeCheck {
       const double slack = slackOf(i);
       for (auto e = begin(i); e < end(i); ++e) {
         const SpaceVector vertex = toward(diagram_.vertices[e]);
-        const double own = chordOf(vertex, sites_.at[i]);
+        const double own = chordOf(vertex, sites_[i]);
         const auto j = isOutline(e) ? i : static_cast<std::size_t>(diagram_.neighbors[e]);
-        if (std::abs(farther(chordOf(vertex, sites_.at[j]), own)) > slack) {
+        if (std::abs(farther(chordOf(vertex, sites_[j]), own)) > slack) {
           return fmt::format("a vertex of sites {} and {} is not as far from both", i, j);
         }
         const auto nearest = nearestTo(vertex);
-        if (farther(own, chordOf(vertex, sites_.at[nearest])) > slack) {
+        if (farther(own, chordOf(vertex, sites_[nearest])) > slack) {
           return fmt::format("site {} is nearer to a vertex of site {}", nearest, i);
         }
       }
@@ -317,25 +255,23 @@ class GlobeCheck {
         std::size_t best = at;
         for (auto e = begin(at); e < end(at); ++e) {
           const auto j = static_cast<std::size_t>(diagram_.neighbors[e]);
-          if (chordOf(places[k], sites_.at[j]) < chordOf(places[k], sites_.at[best])) best = j;
+          if (chordOf(places[k], sites_[j]) < chordOf(places[k], sites_[best])) best = j;
         }
         if (best == at) break;
         at = best;
       }
-      const double off = farther(chordOf(places[k], sites_.at[at]), chordOf(places[k], sites_.at[nearest]));
+      const double off = farther(chordOf(places[k], sites_[at]), chordOf(places[k], sites_[nearest]));
       return off <= slackOf(at) ? ""
                                 : fmt::format("a place near site {} is in the cell of site {}", nearest, at);
     });
   }
 
-  bool has_weights_ = false;
-  SphereVectors sites_;
+  GlobeSites sites_;
   const Diagram& diagram_;
   const Outline& outline_;
   Detail detail_;
   int threads_;
   Broken broken_;
-  Tree tree_;
 };
 
 }  // namespace

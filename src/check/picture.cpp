@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "base/try.h"
+#include "check/checks.h"
 #include "check/outline.h"
 #include "vorpipe.h"
 
@@ -182,6 +183,7 @@ Result<std::vector<std::string>> check(const Sites& sites, const RenderOptions& 
                                        const Rendering& rendering, int threads) {
   try {
     VORPIPE_TRY(checkView(options));
+    if (options.globe) return core::checks::brokenInGlobePicture(sites, options, rendering, threads);
     VORPIPE_LET(inside, core::checks::wrappedIfPeriodic(sites, options.domain, options.periodic, threads));
     core::checks::CheckedSites run(inside ? *inside : sites, options.domain, options.periodic, threads);
     run.countFromCorner();

@@ -174,9 +174,9 @@ Result<void> takeAttributes(const PictureOptions& picture, const Input& input, R
     if (!colors) return named("--colormap", std::move(colors.error()));
     options.colors = std::move(*colors);
   }
-  // The plane of --project has kilometers.
-  const bool of_plane = input.system.equal_area_center.has_value();
-  if (options.legend_beside && options.legend_title.empty() && options.color == ColorBy::area && of_plane) {
+  // The plane of --project has kilometers, as the globe.
+  const bool of_earth = input.system.equal_area_center.has_value() || input.globe;
+  if (options.legend_beside && options.legend_title.empty() && options.color == ColorBy::area && of_earth) {
     options.legend_title = "area, km\u00B2";
   }
   return {};
@@ -190,8 +190,13 @@ Result<RenderOptions> pictureOf(const PictureOptions& picture, const InputOption
   options.domain = input.domain;
   options.outline = input.outline;
   options.periodic = input.periodic;
+  options.globe = input.globe;
+  VORPIPE_TRY(checkMap(picture, input.globe));
+  if (input.globe && !input.outline.empty()) {
+    return inputError("--domain: pictures of --globe show the whole Earth");
+  }
   VORPIPE_TRY(takeSize(picture, options));
-  options.fit = picture.fit.value_or(usualFit(input));
+  options.fit = input.globe ? Fit::letterbox : picture.fit.value_or(usualFit(input));
   options.fill = !picture.no_fill;
   VORPIPE_TRY(checkMarks(picture));
   VORPIPE_TRY(checkPhotograph(picture));

@@ -21,13 +21,10 @@ const double q_of_pole = 1 + (1 - ellipticity) / eccentricity * std::atanh(eccen
 /// Radius of the sphere of the same area (3-13).
 const double radius = equator_radius * std::sqrt(q_of_pole / 2);
 
-/// A latitude, as sine and cosine.
-struct Latitude {
-  double sine, cosine;
-};
+}  // namespace
 
-/// The authalic latitude of a geodetic one, in degrees from -90 to 90 (3-11, 3-12). It computes the
-/// difference of q from its value at the pole, not q: near the pole a sine determines its angle poorly.
+// (3-11, 3-12). It computes the difference of q from its value at the pole, not q: near the pole a sine
+// determines its angle poorly.
 Latitude authalic(double latitude) {
   const double above = std::abs(latitude);
   double sine = std::sin(above * degree), lack = 1 - sine;  // 1 - sine, of the geodetic latitude
@@ -43,11 +40,9 @@ Latitude authalic(double latitude) {
   return {std::copysign(1 - rest, latitude), std::sqrt(rest * (2 - rest))};
 }
 
-double angleOf(const Latitude& latitude) { return std::atan2(latitude.sine, latitude.cosine); }
-
-/// The geodetic latitude, in degrees, of an authalic one, in radians. It uses the series (3-18), then
-/// corrects by the remaining error until done; each step leaves 1 / 200 of it.
+// The series (3-18), corrected by the remaining error until done; each step leaves 1 / 200 of it.
 double geodetic(double authalic_angle) {
+  const auto angleOf = [](const Latitude& latitude) { return std::atan2(latitude.sine, latitude.cosine); };
   constexpr double e2 = ellipticity, e4 = e2 * e2, e6 = e4 * e2;
   double latitude =
       (authalic_angle + (e2 / 3 + 31 * e4 / 180 + 517 * e6 / 5040) * std::sin(2 * authalic_angle) +
@@ -61,6 +56,8 @@ double geodetic(double authalic_angle) {
   }
   return std::clamp(latitude, -quarter_turn, quarter_turn);
 }
+
+namespace {
 
 /// The longitude in (-180, 180]: exact, and the same for every turn.
 double inTurn(double longitude) {

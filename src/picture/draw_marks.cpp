@@ -7,6 +7,7 @@
 #include "base/parallel.h"
 #include "base/try.h"
 #include "picture/font.h"
+#include "picture/legend.h"
 #include "picture/pixels.h"
 
 namespace vorpipe::core {
@@ -48,6 +49,22 @@ std::uint32_t meanOf(const Image& samples, int row, int column, int in_pixel) {
   std::uint32_t mean = (covered + all / 2) / all << 24;
   for (std::size_t c = 0; c < sums.size(); ++c) mean |= (sums[c] + covered / 2) / covered << 8 * c;
   return mean;
+}
+
+/// Draws labels over a whole picture.
+void drawLabels(const Marks& marks, const RenderOptions& options, std::span<const std::uint32_t> colors,
+                Image& image) {
+  const double height = options.label_size, margin = labelMargin(options);
+  for (const SiteLabel& label : marks.labels) {
+    const double left = label.middle.x - label.width / 2, top = label.middle.y - height / 2;
+    const std::uint32_t cell = colors[label.site];
+    // Dual lines end at sites, where labels are.
+    if (options.dual) {
+      blendBox({left - margin, top - margin, left + label.width + margin, top + height + margin}, cell,
+               image);
+    }
+    drawTextAt(label.text, {left, top + height}, height, inkOn(cell), image);
+  }
 }
 
 }  // namespace
@@ -100,19 +117,12 @@ Result<void> drawOverlays(const Overlays& overlays, const DrawRows& cells, Image
   return smooth(draw, in_pixel, threads, image);
 }
 
-void drawLabels(const Marks& marks, const RenderOptions& options, std::span<const std::uint32_t> colors,
-                Image& image) {
-  const double height = options.label_size, margin = labelMargin(options);
-  for (const SiteLabel& label : marks.labels) {
-    const double left = label.middle.x - label.width / 2, top = label.middle.y - height / 2;
-    const std::uint32_t cell = colors[label.site];
-    // Dual lines end at sites, where labels are.
-    if (options.dual) {
-      blendBox({left - margin, top - margin, left + label.width + margin, top + height + margin}, cell,
-               image);
-    }
-    drawTextAt(label.text, {left, top + height}, height, inkOn(cell), image);
-  }
+void completePicture(const RenderOptions& options, const Marks& marks, std::span<const std::uint32_t> colors,
+                     const std::optional<ColorKey>& key, Image& image) {
+  putIntoFrame(shownFrame(options), options.width, options.height, image);
+  if (options.background) layOver(options.background->rgba, image);
+  drawLabels(marks, options, colors, image);
+  if (options.legend && !options.legend_beside) drawLegend(legendOf(*key, options), image);
 }
 
 }  // namespace vorpipe::core

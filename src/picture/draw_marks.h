@@ -30,8 +30,9 @@ Result<void> drawOverlays(const Overlays& overlays, const DrawRows& cells, Image
 /// site. Ids do not change. Errors: those of `draw`.
 Result<void> smooth(const DrawRows& draw, int in_pixel, int threads, Image& image);
 
-/// Draws labels over a whole picture. `colors` are those of cells, by site.
-void drawLabels(const Marks& marks, const RenderOptions& options, std::span<const std::uint32_t> colors,
-                Image& image);
+/// Puts the image of a frame into the picture, over its background, and draws labels and a legend inside. Ids
+/// are those of sites; `colors` are those of cells, by site.
+void completePicture(const RenderOptions& options, const Marks& marks, std::span<const std::uint32_t> colors,
+                     const std::optional<ColorKey>& key, Image& image);
 
 }  // namespace vorpipe::core

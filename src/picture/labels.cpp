@@ -15,6 +15,7 @@
 #include "base/inside.h"
 #include "base/try.h"
 #include "picture/font.h"
+#include "vorpipe/globe.h"
 #include "vorpipe/shapes.h"
 
 namespace vorpipe {
@@ -312,6 +313,10 @@ Result<std::vector<SiteLabel>> siteLabels(const Sites& sites, const Diagram& cel
   if (!options.texts.empty() && options.texts.size() != sites.size()) {
     return tl::unexpected(Error{ErrorCode::input, fmt::format("labels: {} texts, where there are {} sites",
                                                               options.texts.size(), sites.size())});
+  }
+  if (options.globe) {
+    const MapCells map = cellsOnMap(sites, cells, options, threads);
+    return siteLabels(map.sites, map.diagram, map.options, threads);
   }
   const bool periodic = options.periodic != Periodic::none;
   VORPIPE_LET(placed, periodic ? wrapped(sites, options.domain, options.periodic, threads) : Sites{});

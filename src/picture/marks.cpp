@@ -5,6 +5,7 @@
 
 #include "base/try.h"
 #include "vorpipe.h"
+#include "vorpipe/globe.h"
 #include "vorpipe/shapes.h"
 
 namespace vorpipe {
@@ -58,6 +59,17 @@ std::vector<Line> outlineLines(const RenderOptions& options) {
   return lines;
 }
 
+/// Straight pieces of lines on a map, in pixels.
+std::vector<Line> piecesOf(const MapLines& lines, const RenderOptions& options) {
+  const PicturePlaces places(options);
+  std::vector<Line> pieces;
+  for (const auto& line : lines) {
+    for (std::size_t k = 0; k + 1 < line.size(); ++k)
+      pieces.push_back({places.pixelOf(line[k]), places.pixelOf(line[k + 1])});
+  }
+  return pieces;
+}
+
 /// An image of a neighbor: the site, and its shift in periods.
 using Neighbor = std::pair<std::int64_t, std::array<std::int32_t, 2>>;
 
@@ -79,7 +91,9 @@ PicturePlaces::PicturePlaces(const RenderOptions& options)
     : view_(shownBox(options)),
       shown_{std::max(view_.xmin, options.domain.xmin), std::max(view_.ymin, options.domain.ymin),
              std::min(view_.xmax, options.domain.xmax), std::min(view_.ymax, options.domain.ymax)},
-      frame_(shownFrame(options)) {}
+      frame_(shownFrame(options)) {
+  if (options.globe) shown_ = view_;
+}
 
 Point PicturePlaces::pixelOf(Point place) const {
   return {frame_.left + (place.x - view_.xmin) / (view_.xmax - view_.xmin) * frame_.width,
@@ -125,6 +139,7 @@ bool drawsEdge(const Cell& cell, std::size_t edge) {
 
 Result<std::vector<Line>> dualLines(const Sites& sites, const Diagram& cells, const RenderOptions& options,
                                     int threads) {
+  if (options.globe) return piecesOf(dualOnMap(sites, cells, options, threads), options);
   const bool periodic = options.periodic != Periodic::none;
   VORPIPE_LET(placed, periodic ? wrapped(sites, options.domain, options.periodic, threads) : Sites{});
   const Sites& at = periodic ? placed : sites;
@@ -150,8 +165,9 @@ Result<std::vector<Line>> dualLines(const Sites& sites, const Diagram& cells, co
 Result<Marks> marksOf(const Sites& sites, const Diagram& cells, const RenderOptions& options, int threads) {
   Marks marks;
   if (options.edges && options.antialias > 1) {
-    marks.edges = edgeLines(cells, options);
-    marks.outline = outlineLines(options);
+    marks.edges = options.globe ? piecesOf(edgesOnMap(sites, cells, options, threads), options)
+                                : edgeLines(cells, options);
+    marks.outline = outlineLines(options.globe ? optionsOnMap(options) : options);
   }
   if (options.dual) {
     VORPIPE_VAR(lines, dualLines(sites, cells, options, threads));

@@ -9,7 +9,7 @@
 #include "domain/pixel_mask.h"
 #include "picture/draw_marks.h"
 #include "picture/draw_parts.h"
-#include "picture/legend.h"
+#include "picture/globe_picture.h"
 #include "picture/palette.h"
 #include "picture/pixels.h"
 #include "sites/images.h"
@@ -25,6 +25,7 @@ CellsOptions cellsOptions(const RenderOptions& picture) {
   cells.search = picture.search;
   cells.detail = Detail::measures;
   cells.progress = picture.progress;
+  cells.globe = picture.globe;
   return cells;
 }
 
@@ -126,12 +127,7 @@ Result<void> finish(const Sites& sites, const KeptPicture& kept, const RenderOpt
   };
   VORPIPE_TRY(drawOverlays(overlays, draw, image));
   nameSites(scene, image.ids);
-  putIntoFrame(frame, options.width, options.height, image);
-  if (options.background) layOver(options.background->rgba, image);
-  drawLabels(marks, options, colorsIn(kept, options, marks, palette), image);
-  if (options.legend && !options.legend_beside) {
-    drawLegend(legendOf(*kept.colors->key, options), image);
-  }
+  completePicture(options, marks, colorsIn(kept, options, marks, palette), kept.colors->key, image);
   return {};
 }
 
@@ -191,6 +187,7 @@ Result<void> checkRender(const RenderOptions& options) {
 
 Result<Rendering> renderOn(const Machine& machine, const Sites& sites, const RenderOptions& options) {
   VORPIPE_TRY(checkRender(options));
+  if (options.globe) return renderGlobe(machine, sites, options);
   VORPIPE_LET(with_cells, needsCells(sites, options, machine.threads));
   // Done before the drawn cells, since only one run at a time has the exact tier. If the picture is not drawn
   // from cells as data, these cells change no pixel's site.

@@ -7,6 +7,9 @@
 #include <utility>
 
 #include "base/option_rows.h"
+#include "base/refusal.h"
+#include "base/try.h"
+#include "globe/sphere_map.h"
 #include "vorpipe.h"
 
 namespace vorpipe {
@@ -76,15 +79,19 @@ DotSize dotSizeOf(double size, double spacing, PictureSize picture) {
   return {radius, radius >= least_with_rim ? std::max(1.0, part_of_radius * radius) : 0};
 }
 
-const Box& shownBox(const RenderOptions& options) { return options.view ? *options.view : options.domain; }
+const Box& shownBox(const RenderOptions& options) {
+  if (options.globe) return core::boxOfMap(options);
+  return options.view ? *options.view : options.domain;
+}
 
 PictureFrame shownFrame(const RenderOptions& options) {
-  return frameOf(shownBox(options), options.width, options.height, options.fit);
+  return frameOf(shownBox(options), options.width, options.height,
+                 options.globe ? Fit::letterbox : options.fit);
 }
 
 PictureFrame domainFrame(const RenderOptions& options) {
   const PictureFrame frame = shownFrame(options);
-  if (!options.view) return frame;
+  if (!options.view || options.globe) return frame;
   const Box &view = *options.view, &domain = options.domain;
   const Steps columns =
       centersBetween(domain.xmin - view.xmin, domain.xmax - view.xmin, view.xmax - view.xmin, frame.width);
@@ -95,7 +102,10 @@ PictureFrame domainFrame(const RenderOptions& options) {
 }
 
 Result<void> checkView(const RenderOptions& options) {
-  if (!options.view) return {};
+  if (options.globe && options.view_from) {
+    VORPIPE_TRY(Projection::around(*options.view_from));
+  }
+  if (!options.view || options.globe) return {};
   const Box &view = *options.view, &domain = options.domain;
   const double width = view.xmax - view.xmin, height = view.ymax - view.ymin;
   const bool finite =
@@ -131,6 +141,10 @@ Result<void> checkPicture(const RenderOptions& options) {
   if (std::min(options.width, options.height) < 1 || std::max(options.width, options.height) > largest_side) {
     return refusePicture(fmt::format("a picture of {}x{} pixels: each side must be 1 to {}", options.width,
                                      options.height, largest_side));
+  }
+  if (options.globe && !options.outline.empty()) {
+    return tl::unexpected(
+        refusalOf(Subject::outline, "is for a plane; pictures of the globe show all of it"));
   }
   if (options.legend && !options.legend_beside &&
       (options.width < least_with_legend.width || options.height < least_with_legend.height)) {

@@ -80,6 +80,10 @@ Result<void> checkGlobe(const Sites& sites, const CellsOptions& options) {
                     "Earth, {:.0f} km",
                     i, sites.weight[i], std::sqrt(most))));
   }
+  if (options.search.method == Search::flann) {
+    return tl::unexpected(
+        refusalOf(Subject::search, "FLANN finds neighbors in a plane, not on the globe; take the grid"));
+  }
   if (!options.density.values.empty()) {
     return tl::unexpected(refusalOf(Subject::density, "is for a plane, not for the globe"));
   }

@@ -27,7 +27,7 @@ bool areSame(const Outline& a, const Outline& b) {
 /// Whether two runs over the same sites find the same cells.
 bool findTheSame(const CellsOptions& a, const CellsOptions& b) {
   return areSame(a.domain, b.domain) && a.periodic == b.periodic && a.search.method == b.search.method &&
-         a.search.neighbors == b.search.neighbors && areSame(a.outline, b.outline);
+         a.search.neighbors == b.search.neighbors && a.globe == b.globe && areSame(a.outline, b.outline);
 }
 
 bool areSame(const Density& a, const Density& b) {
@@ -126,6 +126,7 @@ Result<Rendering> KeptSites::render(const RenderOptions& options) {
     Session::State& on = *state_->session->state_;
     VORPIPE_TRY(state_->take(cellsOptions(options)));
     VORPIPE_TRY(checkRender(options));
+    if (options.globe) return state_->session->render(state_->sites, options);
     VORPIPE_LET(with_cells, state_->needsCells(options, on.threads));
     VORPIPE_LET(marks, state_->marks(options));
     return on.device.run<Rendering>([&](Backend& backend) -> Result<Rendering> {
@@ -144,7 +145,7 @@ Result<const Diagram*> KeptSites::measures(const CellsOptions& options) {
     VORPIPE_TRY(s.take(options));
     CellsOptions wanted = options;
     wanted.detail = Detail::measures;
-    if (!options.density.values.empty()) {
+    if (!options.density.values.empty() || options.globe) {
       if (s.with_mass && areSame(s.options->density, options.density)) return &*s.with_mass;
       s.with_mass.reset();
       VORPIPE_VAR(cells, s.session->cells(s.sites, wanted));

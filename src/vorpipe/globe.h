@@ -6,6 +6,7 @@
 
 #include "vorpipe/cells.h"
 #include "vorpipe/outline.h"
+#include "vorpipe/picture.h"
 #include "vorpipe/result.h"
 #include "vorpipe/sites.h"
 
@@ -20,5 +21,32 @@ Result<MendedOutline> mendedOnGlobe(const Outline& degrees, bool repair);
 /// Edges are great circles, with points in between: two fifths of a degree apart or less, so many that straight lines
 /// of longitude and latitude are within 1e-5 of the Earth's radius. None for a site without a cell.
 Outline globePolygons(const Sites& sites, const Diagram& diagram, std::size_t site);
+
+/// Lines on the map of a picture of the globe, in the map's unit.
+using MapLines = std::vector<std::vector<Point>>;
+
+/// Cells on the map of a picture of the globe: a picture of a plane.
+struct MapCells {
+  RenderOptions options;  ///< the domain and the outline are those of the map
+  Sites sites;            ///< without weights; NaN beyond the horizon
+  /// Polygons, cut at the map's border, with areas and centroids in the map. Neighbors are walls, since a
+  /// neighbor has several sides here.
+  Diagram diagram;
+};
+
+/// Returns what a map shows of sites and of cells with Detail::polygons, by the options of a picture of the
+/// globe.
+Sites sitesOnMap(const Sites& sites, const RenderOptions& options);
+MapCells cellsOnMap(const Sites& sites, const Diagram& diagram, const RenderOptions& options,
+                    int threads = 0);
+
+/// Returns the options of a picture of the plane with the map's border.
+RenderOptions optionsOnMap(const RenderOptions& options);
+
+/// Returns the edges between cells with Detail::polygons, each once, and the lines between sites whose cells
+/// share an edge: parts of great circles.
+MapLines edgesOnMap(const Sites& sites, const Diagram& diagram, const RenderOptions& options,
+                    int threads = 0);
+MapLines dualOnMap(const Sites& sites, const Diagram& diagram, const RenderOptions& options, int threads = 0);
 
 }  // namespace vorpipe

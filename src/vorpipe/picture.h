@@ -76,6 +76,12 @@ enum class Fit : std::uint8_t {
   letterbox,  ///< the domain keeps its aspect, in the middle; pixels beside it have no site
 };
 
+/// Flat maps of the whole Earth, from 180 degrees west to 180 degrees east.
+enum class GlobeMap : std::uint8_t {
+  plate_carree,  ///< longitude and latitude, in degrees
+  equal_earth,   ///< areas are true (Savric, Patterson and Jenny 2018); meters, as EPSG:8857
+};
+
 /// Most own colors of a picture.
 inline constexpr std::size_t most_colors = 254;
 
@@ -123,6 +129,12 @@ struct RenderOptions {
   std::string title{};               ///< above the picture, which is higher for it; UTF-8
   std::string legend_title{};        ///< instead of what the colors show; UTF-8
   bool legend_beside = false;        ///< the legend is right of the picture, which is wider for it
+  /// Sites are degrees of longitude and latitude, and cells are those on the sphere (globe.md). The picture
+  /// shows all of a map, in the middle: domain, outline, period, search, fit and view are not used.
+  bool globe = false;
+  GlobeMap map = GlobeMap::plate_carree;
+  /// In degrees: the globe as it is seen from far above this place (orthographic), in place of a map.
+  std::optional<Point> view_from{};
 };
 
 /// What the colors of a picture mean: numbers in a range, or names.

@@ -9,6 +9,8 @@ import xml.etree.ElementTree
 
 import numpy as np
 
+from pictures_readers_globe import GLOBE_CHECKS
+
 NO_SITE = 2**32 - 1
 MISSING = [210, 210, 210]
 SITES = """x,y,rain,kind,town
@@ -165,7 +167,7 @@ def check_maps(vorpipe, read_png):
     failures = 0
     maps = Maps(vorpipe, read_png)
     for check in (numbers_are_colors, names_are_colors, neighbors_differ, sheets_leave_the_map, labels_are_texts,
-                  labels_stand_in_their_cells):
+                  labels_stand_in_their_cells, *GLOBE_CHECKS):
         try:
             check(maps)
         except AssertionError as error:

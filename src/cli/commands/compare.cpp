@@ -238,8 +238,10 @@ void addCompare(CommandLine& line) {
       parseBackendDevices, {backendNames(), {}, true})
       .required();
   addInputOptions(options, command->input).required();
+  addGlobe(options, command->input);
   options.group("Picture");
   addSizeOptions(options, command->picture);
+  addMapOptions(options, command->picture);
   addAnyFile(
       options, "--reference", command->reference, {".npy", ".png"},
       "what an earlier run wrote, one more to compare with: --ids of render (.npy), or its picture (.png) "

@@ -34,8 +34,7 @@ struct DiffCommand {
   std::uint64_t max_pixels = 0;
   std::optional<int> max_difference;
   InputOptions input;
-  std::optional<Fit> fit;
-  std::optional<Box> view;
+  PictureOptions picture;
   TalkOptions talk;
 };
 
@@ -58,13 +57,14 @@ Result<IdDiff> idDiff(const DiffCommand& command, const Image& a, const Image& b
   printNotes(command.talk, input);
   VORPIPE_TRY(checkIds(command.a, a, input.sites));
   VORPIPE_TRY(checkIds(command.b, b, input.sites));
-  RenderOptions options{};
+  VORPIPE_TRY(checkMap(command.picture, input.globe));
+  RenderOptions options = command.picture.render;
   options.domain = input.domain;
   options.periodic = input.periodic;
+  options.globe = input.globe;
   options.width = a.width;
   options.height = a.height;
-  options.view = command.view;
-  options.fit = command.fit.value_or(usualFit(input));
+  options.fit = command.picture.fit.value_or(usualFit(input));
   if (auto checked = checkView(options); !checked) return inputError("--view: " + checked.error().message);
   auto diff = diffIds(a.ids, b.ids, input.sites, options);
   return diff ? diff : asOption(std::move(diff.error()), command.input);
@@ -242,8 +242,10 @@ void addDiff(CommandLine& line) {
   addReport(options, "--json", command->json,
             "what was compared, how many pixels differ, the first of them and the verdict, in JSON");
   const Option sites = addInputOptions(options, command->input);
-  addFitOption(options, command->fit).needs(sites);
-  addViewOption(options, command->view).needs(sites);
+  addFitOption(options, command->picture.fit).needs(sites);
+  addViewOption(options, command->picture.render.view).needs(sites);
+  addGlobe(options, command->input);
+  addMapOptions(options, command->picture);
   addTalkOptions(options, command->talk);
 }
 

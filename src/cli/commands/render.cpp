@@ -84,13 +84,33 @@ Result<void> writeFiles(const RenderCommand& command, CommandRun& run, const Inp
 /// Rejects options that pictures of cells with a free surface do not support.
 Result<void> checkSurface(const RenderCommand& command, const Sites& sites, const RenderOptions& options) {
   if (command.surface == Surface::none) return {};
+  if (options.globe) return inputError("--surface: is for a plane, not for --globe");
   if (command.check) return inputError("--check: what verifies cells does not know free surfaces");
   VORPIPE_TRY(checkDiscs(sites));
   return checkFreePicture("--surface", options, needsOf(command.files));
 }
 
+/// Rejects files with the coordinates of pixels, where pixels have none.
+Result<void> checkGeoreference(const RenderCommand& command) {
+  if (!command.picture.render.view_from) return {};
+  const auto isTied = [](std::string_view extension) {
+    return extension == ".pgw" || extension.starts_with(".tif");
+  };
+  const auto refused = [](std::string_view option, std::string_view extension) {
+    return inputError(fmt::format("{}: {} has coordinates of a map, and --view-from is no map of any system",
+                                  option, extension));
+  };
+  for (const PictureFile& file : command.files.pictures) {
+    if (isTied(file.format->extension)) return refused("-o", file.format->extension);
+  }
+  const IdsFormat* ids = command.files.ids.format;
+  if (ids != nullptr && isTied(ids->extension)) return refused("--ids", ids->extension);
+  return {};
+}
+
 Result<ExitCode> render(RenderCommand& command, const Invocation& how) {
   VORPIPE_TRY(nameStandardOutput(command.files, command.input.format.output));
+  VORPIPE_TRY(checkGeoreference(command));
   CommandRun run("render", command, how, pathsOf(command.files));
   VORPIPE_TRY(run.needsOutput("picture.png", "--stats or --check"));
   RenderOptions options = command.picture.render;
@@ -139,10 +159,12 @@ void addRender(CommandLine& line) {
       line.addSubcommand("render", "draws the Voronoi diagram of sites; with weights, the power diagram",
                          [command](const Invocation& how) { return render(*command, how); });
   addInputOptions(options, command->input).required();
+  addGlobe(options, command->input);
   options.group("Output");
   addPictureFiles(options, command->files);
   options.group("Picture");
   addSizeOptions(options, command->picture);
+  addMapOptions(options, command->picture);
   addColorOptions(options, command->picture);
   addMarkOptions(options, command->picture);
   addSurface(options, command->surface, surface_text);

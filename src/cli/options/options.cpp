@@ -7,6 +7,7 @@
 #include <array>
 #include <cstdlib>
 
+#include "base/try.h"
 #include "cli/options/error_line.h"
 #include "io/base/number.h"
 #include "io/base/quoted.h"
@@ -45,21 +46,14 @@ Parsed<Margin> parseMargin(std::string_view text) {
   return Margin{relative ? *number / percent : *number, relative};
 }
 
-/// `auto`, or `LON,LAT`, a place on the Earth.
+/// `auto`, or a place as the center.
 Parsed<ProjectChoice> parseProject(std::string_view text) {
   if (text == "auto") return ProjectChoice{};
-  const std::size_t comma = text.find(',');
-  if (comma == std::string_view::npos) {
+  if (text.find(',') == std::string_view::npos) {
     return tl::unexpected(
         fmt::format("{} is neither auto nor LON,LAT, degrees of a center, as in 12.5,42", inQuotes(text)));
   }
-  const auto longitude = parseNumber(text.substr(0, comma)), latitude = parseNumber(text.substr(comma + 1));
-  if (!longitude) return tl::unexpected("LON: " + longitude.error());
-  if (!latitude) return tl::unexpected("LAT: " + latitude.error());
-  const Point center{*longitude, *latitude};
-  if (auto projection = Projection::around(center); !projection) {
-    return tl::unexpected(std::move(projection.error().message));
-  }
+  VORPIPE_LET(center, parsePlace(text));
   return ProjectChoice{center};
 }
 

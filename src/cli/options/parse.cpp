@@ -65,6 +65,21 @@ Parsed<std::uint64_t> parseWhole(std::string_view text, std::uint64_t low, std::
   return bad(fmt::format("{} is not a whole number from {} to {}", inQuotes(text), low, high));
 }
 
+Parsed<Point> parsePlace(std::string_view text) {
+  const std::size_t comma = text.find(',');
+  if (comma == std::string_view::npos) {
+    return bad(fmt::format("{} is not LON,LAT, degrees of a place, as in 12.5,42", inQuotes(text)));
+  }
+  const auto longitude = parseNumber(text.substr(0, comma)), latitude = parseNumber(text.substr(comma + 1));
+  if (!longitude) return bad("LON: " + longitude.error());
+  if (!latitude) return bad("LAT: " + latitude.error());
+  const Point place{*longitude, *latitude};
+  if (auto projection = Projection::around(place); !projection) {
+    return bad(std::move(projection.error().message));
+  }
+  return place;
+}
+
 Parsed<Box> parseBox(std::string_view text) {
   constexpr std::array<std::string_view, 4> names = {"xmin", "ymin", "xmax", "ymax"};
   const auto parts = split(text, ',');

@@ -41,6 +41,9 @@ struct DomainChoice {
 /// powers of 1024.
 Parsed<std::uint64_t> parseBytes(std::string_view text);
 
+/// `LON,LAT`, degrees of a place on the Earth.
+Parsed<Point> parsePlace(std::string_view text);
+
 /// `XMIN,YMIN,XMAX,YMAX`, a valid box.
 Parsed<Box> parseBox(std::string_view text);
 

@@ -267,6 +267,40 @@ Result<void> checkMarks(const PictureOptions& picture) {
   return checked;
 }
 
+void addMapOptions(Options& options, PictureOptions& picture) {
+  options.add("--map",
+              parsedValue(
+                  "NAME", [](std::string_view text) { return parseNameOf<GlobeMap>(text); },
+                  [&picture](GlobeMap map) {
+                    picture.render.map = map;
+                    picture.given.insert("map");
+                  },
+                  {namesFrom<GlobeMap>(), {}}),
+              fmt::format("with --globe, the map of the Earth: {}, on which areas are true [{}]",
+                          anyOf(namesFrom<GlobeMap>()), nameOf(picture.render.map)));
+  addParsed(options, "--view-from", picture.render.view_from, "LON,LAT",
+            "with --globe, the Earth as it is seen from far above this place, in degrees, in place of a map "
+            "(orthographic)",
+            parsePlace);
+}
+
+Result<void> checkMap(const PictureOptions& picture, bool globe) {
+  const bool has_map = picture.given.contains("map"), has_place = picture.render.view_from.has_value();
+  if (!globe) {
+    if (!has_map && !has_place) return {};
+    return inputError(fmt::format("{}: is for --globe", has_map ? "--map" : "--view-from"));
+  }
+  if (has_map && has_place) return inputError("--map: --view-from is a map of its own; leave one out");
+  if (picture.render.view || picture.fit) {
+    return inputError(fmt::format("{}: is for a plane; pictures of --globe show the whole map",
+                                  picture.fit ? "--fit" : "--view"));
+  }
+  if (!picture.photograph.file.empty()) {
+    return inputError("--color: a photograph is for a plane, not for --globe");
+  }
+  return {};
+}
+
 Result<void> checkPaper(const PictureOptions& picture) {
   const auto& paper = picture.size.paper;
   if (!paper) {

@@ -62,7 +62,11 @@ Result<void> checkLabels(const PictureOptions& picture);
 void addMarkOptions(Options& options, PictureOptions& picture);
 /// Error (input): a number is given that draws nothing without a flag.
 Result<void> checkMarks(const PictureOptions& picture);
-/// All of these, in a group of their own.
+/// --map, --view-from
+void addMapOptions(Options& options, PictureOptions& picture);
+/// Error (input): an option is for the globe and there is none, or for a plane and there is the globe.
+Result<void> checkMap(const PictureOptions& picture, bool globe);
+/// All of these but those of maps, in a group of their own.
 void addPictureGroup(Options& options, PictureOptions& picture);
 
 /// Error (input): --dpi without a size on paper, or more pixels than a picture can have.

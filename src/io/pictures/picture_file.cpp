@@ -53,8 +53,11 @@ Result<void> asNpy(ByteSink& sink, const PictureOutput& output) {
 
 Result<void> asTiff(ByteSink& sink, const PictureOutput& output) {
   assert(output.image != nullptr);
-  return writeTiffIds(sink, output.image->width, output.image->height, output.image->ids,
-                      {gridOf(output.options), output.system, output.threads});
+  constexpr std::int64_t equal_earth = 8857;  // of EPSG
+  const bool of_map = output.options.globe && output.options.map == GlobeMap::equal_earth;
+  return writeTiffIds(
+      sink, output.image->width, output.image->height, output.image->ids,
+      {gridOf(output.options), of_map ? systemOfCode(equal_earth) : output.system, output.threads});
 }
 
 constexpr PictureFormat png{".png", /*of_shapes=*/false, asPng}, svg{".svg", /*of_shapes=*/true, asSvg},

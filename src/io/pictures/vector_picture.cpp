@@ -68,7 +68,7 @@ VectorPicture::VectorPicture(const Sites& sites, const Diagram& diagram, const R
     : sites_(&sites),
       diagram_(&diagram),
       options_(&options),
-      free_surface_(hasFreeSurface(diagram, options.outline)),
+      free_surface_(!options.globe && hasFreeSurface(diagram, options.outline)),
       places_(options) {}
 
 Result<VectorPicture> VectorPicture::make(const Sites& sites, const Diagram& diagram,
@@ -81,15 +81,22 @@ Result<VectorPicture> VectorPicture::make(const Sites& sites, const Diagram& dia
   if (options.legend && !options.legend_beside && picture.colors_.key) {
     picture.legend_ = legendOf(*picture.colors_.key, options);
   }
+  if (options.globe) {
+    picture.map_ = std::make_unique<OnMap>(OnMap{cellsOnMap(sites, diagram, options, threads), {}});
+    if (options.edges) picture.map_->edges = edgesOnMap(sites, diagram, options, threads);
+    picture.sites_ = &picture.map_->cells.sites;
+    picture.diagram_ = &picture.map_->cells.diagram;
+    picture.options_ = &picture.map_->cells.options;
+  }
   if (options.show_sites) {
-    VORPIPE_TRY(picture.placeDots(sites, threads));
+    VORPIPE_TRY(picture.placeDots(threads));
   }
   if (options.dual) {
     VORPIPE_VAR(lines, dualLines(sites, diagram, options, threads));
     picture.dual_ = std::move(lines);
   }
   if (options.labels) {
-    VORPIPE_VAR(labels, siteLabels(sites, diagram, options, threads));
+    VORPIPE_VAR(labels, siteLabels(*picture.sites_, *picture.diagram_, *picture.options_, threads));
     picture.labels_ = std::move(labels);
   }
   return picture;
@@ -109,7 +116,8 @@ std::optional<LegendBox> VectorPicture::boxBelow(const SiteLabel& label) const {
 }
 
 /// Places one dot at each position of a site that has a cell there.
-Result<void> VectorPicture::placeDots(const Sites& sites, int threads) {
+Result<void> VectorPicture::placeDots(int threads) {
+  const Sites& sites = *sites_;
   const Box& domain = options_->domain;
   const bool periodic = options_->periodic != Periodic::none;
   VORPIPE_VAR(placed, periodic ? wrapped(sites, domain, options_->periodic, threads) : Sites{});
@@ -120,7 +128,7 @@ Result<void> VectorPicture::placeDots(const Sites& sites, int threads) {
     if (!(x >= domain.xmin && x <= domain.xmax && y >= domain.ymin && y <= domain.ymax)) continue;
     if (diagram_->status[i] != Status::duplicate) shown.push_back(i);
   }
-  if (!options_->outline.empty()) {
+  if (!options_->outline.empty() && !map_) {
     VORPIPE_TRY(keepInOutline(at, shown, threads));
   }
   dot_ = dotSizeOf(options_->dot_size, spacingOf(shown), {places_.frame().width, places_.frame().height});
@@ -239,8 +247,14 @@ Result<void> VectorPicture::eachCell(const UseCell& use) const {
 
 Result<void> VectorPicture::eachEdge(const UseLines& use) const {
   Lines lines;
+  for (const auto& line : map_ ? map_->edges : MapLines{}) {
+    lines.clear();
+    lines.begin();
+    for (const Point place : line) lines.add(pixelOf(place));
+    VORPIPE_TRY(use(lines));
+  }
   for (const Cell cell : *diagram_) {
-    if (cell.rings().empty()) continue;
+    if (cell.rings().empty() || map_) continue;
     for (const Point by : shownCopies(boxOf(cell.vertices()), *options_, places_)) {
       lines.clear();
       addEdges(cell, lines, [&](Point vertex) { return pixelOf({vertex.x + by.x, vertex.y + by.y}); });

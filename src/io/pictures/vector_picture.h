@@ -7,6 +7,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <functional>
+#include <memory>
 #include <new>
 #include <optional>
 #include <span>
@@ -17,6 +18,7 @@
 #include "io/base/print.h"
 #include "vorpipe.h"
 #include "vorpipe/free_surface.h"
+#include "vorpipe/globe.h"
 #include "vorpipe/shapes.h"
 
 namespace vorpipe {
@@ -92,8 +94,8 @@ class VectorPicture {
   static constexpr std::uint32_t rim_color = black;
 
   /// Makes the picture that `options` describe of `diagram`, the cells of `sites` with Detail::polygons, or
-  /// those with a free surface, drawn as arcs. All must outlive it. Errors: those of siteColors and
-  /// wrapped(); an invalid size (input); out of memory (device).
+  /// those with a free surface, drawn as arcs, or those of the globe, on its map. All must outlive it.
+  /// Errors: those of siteColors and wrapped(); an invalid size (input); out of memory (device).
   static Result<VectorPicture> make(const Sites& sites, const Diagram& diagram, const RenderOptions& options,
                                     int threads = 0);
 
@@ -150,7 +152,7 @@ class VectorPicture {
  private:
   VectorPicture(const Sites& sites, const Diagram& diagram, const RenderOptions& options);
   [[nodiscard]] Point pixelOf(Point point) const { return places_.pixelOf(point); }
-  Result<void> placeDots(const Sites& sites, int threads);
+  Result<void> placeDots(int threads);
   /// Keeps only the sites, by index, whose positions `at` have a cell.
   Result<void> keepInOutline(const Sites& at, std::vector<std::uint32_t>& sites, int threads) const;
   [[nodiscard]] double spacingOf(std::span<const std::uint32_t> sites) const;
@@ -159,6 +161,12 @@ class VectorPicture {
   void addSurface(const Cell& cell, Lines& lines) const;
   void addArc(const BorderPart& part, Point site, Lines& lines) const;
 
+  /// Cells of the globe on its map: what is drawn in place of the caller's.
+  struct OnMap {
+    MapCells cells;
+    MapLines edges;
+  };
+  std::unique_ptr<OnMap> map_;  ///< none in a plane
   const Sites* sites_;
   const Diagram* diagram_;
   const RenderOptions* options_;

@@ -1,0 +1,261 @@
+// Arcs and cells as lines and rings of a map.
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+
+#include "base/parallel.h"
+#include "domain/degrees.h"
+#include "domain/rings.h"
+#include "globe/sphere_map.h"
+#include "vorpipe/cell.h"
+#include "vorpipe/globe.h"
+
+namespace vorpipe::core {
+namespace {
+
+/// In radians.
+constexpr double half_circle = std::numbers::pi;
+constexpr std::size_t fewest_corners = 3;
+/// Directions as near to each other, or to a plane, are in the same place.
+constexpr double same = 1e-12;
+/// A flat map has no line through a place as near to a pole.
+constexpr double beside_pole = 1e-9;
+
+/// A part of an arc, by the angles from its beginning.
+struct Stretch {
+  double from, to;
+};
+
+/// The direction of an arc at an angle from its beginning.
+Direction along(const Arc& arc, double angle) {
+  if (angle == 0) return arc.begin;
+  if (angle == arc.angle) return arc.end;
+  return std::cos(angle) * arc.begin + std::sin(angle) * cross(arc.axis, arc.begin);
+}
+
+/// The angles of an arc at which it meets the plane at right angles to a direction, up to a whole turn.
+std::vector<double> crossings(const Arc& arc, const Direction& normal) {
+  const double a = dot(arc.begin, normal), b = dot(cross(arc.axis, arc.begin), normal);
+  std::vector<double> found;
+  if (std::hypot(a, b) < same) return found;
+  for (double angle = std::atan2(-a, b) - 2 * half_circle; angle < arc.angle; angle += half_circle) {
+    if (angle > 0) found.push_back(angle);
+  }
+  return found;
+}
+
+/// The stretches of an arc on the viewer's side of the horizon.
+std::vector<Stretch> facing(const SphereMap& map, const Arc& arc) {
+  std::vector<double> ends{0};
+  for (const double angle : crossings(arc, map.viewer())) ends.push_back(angle);
+  ends.push_back(arc.angle);
+  std::vector<Stretch> shown;
+  for (std::size_t k = 0; k + 1 < ends.size(); ++k) {
+    if (dot(along(arc, (ends[k] + ends[k + 1]) / 2), map.viewer()) >= -same)
+      shown.push_back({ends[k], ends[k + 1]});
+  }
+  return shown;
+}
+
+/// The stretches of an arc between the antimeridian and the poles.
+std::vector<Stretch> withoutTurns(const Arc& arc) {
+  constexpr Direction east{0, 1, 0}, front{1, 0, 0};
+  std::vector<double> cuts{0};
+  const auto of_meridian = crossings(arc, east);
+  // In the plane of that meridian only poles cut.
+  const bool in_plane = of_meridian.empty() && std::abs(arc.begin.y) < same && std::abs(arc.end.y) < same;
+  for (const double angle : in_plane ? crossings(arc, front) : of_meridian) {
+    if (along(arc, angle).x < beside_pole) cuts.push_back(angle);
+  }
+  cuts.push_back(arc.angle);
+  std::vector<Stretch> stretches;
+  for (std::size_t k = 0; k + 1 < cuts.size(); ++k) stretches.push_back({cuts[k], cuts[k + 1]});
+  return stretches;
+}
+
+bool isOnAntimeridian(const Direction& a) { return a.x < 0 && std::abs(a.y) < same; }
+
+/// The place of an end of a stretch in degrees: on the side from which the stretch comes.
+Point placeAtEnd(const Direction& end, const Direction& inside) {
+  Point place = placeOf(end);
+  const Point from = placeOf(inside);
+  if (std::hypot(end.x, end.y) < beside_pole) return {from.x, std::copysign(quarter_turn, end.z)};
+  if (isOnAntimeridian(end)) place.x = std::copysign(antimeridian, from.x);
+  return place;
+}
+
+/// Draws a stretch of an arc as a line whose pieces are as good as straight.
+class SmoothLine {
+ public:
+  SmoothLine(const SphereMap& map, const Arc& arc, Stretch stretch)
+      : map_(map), arc_(arc), most_off_(part_of_box * (map.box().xmax - map.box().xmin)) {
+    const Direction inside = along(arc, (stretch.from + stretch.to) / 2);
+    const Point first = end(along(arc, stretch.from), inside), last = end(along(arc, stretch.to), inside);
+    points_.push_back(first);
+    const auto steps = std::max(1, static_cast<int>(std::ceil((stretch.to - stretch.from) / longest)));
+    Point from = first;
+    double begin = stretch.from;
+    for (int k = 1; k <= steps; ++k) {
+      const double angle = k == steps ? stretch.to : stretch.from + (stretch.to - stretch.from) * k / steps;
+      const Point to = k == steps ? last : placed(angle);
+      add(begin, from, angle, to, 0);
+      begin = angle;
+      from = to;
+    }
+  }
+  std::vector<Point> take() { return std::move(points_); }
+
+ private:
+  static constexpr double longest = 1.5 * degree, part_of_box = 1e-5;
+
+  [[nodiscard]] Point end(const Direction& at, const Direction& inside) const {
+    return map_.isFlat() ? map_.flat(placeAtEnd(at, inside)) : map_.seen(at);
+  }
+  [[nodiscard]] Point placed(double angle) const {
+    const Direction at = along(arc_, angle);
+    return map_.isFlat() ? map_.flat(placeOf(at)) : map_.seen(at);
+  }
+  void add(double begin, Point from, double angle, Point to, int depth) {
+    constexpr int deepest = 24;
+    const double middle = (begin + angle) / 2;
+    const Point at = placed(middle);
+    if (depth < deepest && std::hypot(at.x - (from.x + to.x) / 2, at.y - (from.y + to.y) / 2) > most_off_) {
+      add(begin, from, middle, at, depth + 1);
+      add(middle, at, angle, to, depth + 1);
+    } else {
+      points_.push_back(to);
+    }
+  }
+
+  const SphereMap& map_;
+  const Arc& arc_;
+  double most_off_;
+  std::vector<Point> points_;
+};
+
+/// A line along the antimeridian, as a flat map has it on both sides.
+void addBothSides(const SphereMap& map, const Arc& arc, Stretch stretch,
+                  std::vector<std::vector<Point>>& lines) {
+  const auto steps =
+      std::max(1, static_cast<int>(std::ceil((stretch.to - stretch.from) / (border_step * degree))));
+  for (const double side : {-antimeridian, antimeridian}) {
+    std::vector<Point>& line = lines.emplace_back();
+    for (int k = 0; k <= steps; ++k) {
+      const double angle = stretch.from + (stretch.to - stretch.from) * k / steps;
+      line.push_back(map.flat({side, placeOf(along(arc, angle)).y}));
+    }
+  }
+}
+
+/// Adds the points of a line that are not yet the ring's last.
+void append(const std::vector<Point>& line, std::vector<Point>& ring) {
+  for (const Point& point : line) {
+    if (ring.empty() || ring.back() != point) ring.push_back(point);
+  }
+}
+
+/// The horizon from one direction counter-clockwise to another; none if they are as good as the same.
+std::vector<Point> horizonBetween(const SphereMap& map, const Direction& from, const Direction& to) {
+  if (lengthOf(to - from) < beside_pole) return {};
+  double angle = std::atan2(dot(map.viewer(), cross(from, to)), dot(from, to));
+  if (angle < 0) angle += 2 * half_circle;
+  return SmoothLine(map, {from, to, map.viewer(), angle}, {0, angle}).take();
+}
+
+/// Whether a cell has the direction of the viewer.
+bool holdsViewer(const SphereMap& map, const std::vector<Direction>& vectors, const Cell& cell) {
+  return std::ranges::all_of(cell.neighbors(), [&](std::int64_t neighbor) {
+    return dot(map.viewer(), vectors[static_cast<std::size_t>(neighbor)] - vectors[cell.index()]) <= 0;
+  });
+}
+
+/// The ring around what the viewer sees of a cell. A cell is an intersection of halves of the sphere; that on
+/// the viewer's side is one more.
+std::vector<Point> seenRing(const SphereMap& map, const std::vector<Direction>& vectors,
+                            const Diagram& diagram, std::size_t site) {
+  const Cell cell = diagram.cell(site);
+  std::vector<Point> ring;
+  Direction first{}, last{};
+  for (std::size_t e = 0; e < cell.edges(); ++e) {
+    const Arc arc = arcOf(vectors, diagram, site, e);
+    for (const Stretch stretch : facing(map, arc)) {
+      const Direction from = along(arc, stretch.from);
+      if (ring.empty()) {
+        first = from;
+      } else {
+        append(horizonBetween(map, last, from), ring);
+      }
+      append(SmoothLine(map, arc, stretch).take(), ring);
+      last = along(arc, stretch.to);
+    }
+  }
+  if (!ring.empty()) {
+    append(horizonBetween(map, last, first), ring);
+  } else if (holdsViewer(map, vectors, cell)) {
+    ring = map.border();
+  }
+  while (ring.size() > 1 && ring.front() == ring.back()) ring.pop_back();
+  return ring;
+}
+
+/// A ring of degrees on a flat map. Its sides along the antimeridian are curves.
+std::vector<Point> flatRing(const SphereMap& map, std::span<const Point> degrees) {
+  std::vector<Point> ring;
+  for (std::size_t k = 0; k < degrees.size(); ++k) {
+    const Point from = degrees[k], to = degrees[k + 1 < degrees.size() ? k + 1 : 0];
+    ring.push_back(map.flat(from));
+    if (from.x != to.x || std::abs(from.x) != antimeridian) continue;
+    const auto steps = static_cast<int>(std::ceil(std::abs(to.y - from.y) / border_step));
+    for (int j = 1; j < steps; ++j) ring.push_back(map.flat({from.x, from.y + (to.y - from.y) * j / steps}));
+  }
+  return ring;
+}
+
+}  // namespace
+
+std::vector<Direction> vectorsOf(const Sites& sites, int threads) {
+  constexpr std::size_t grain = 1024;
+  std::vector<Direction> vectors(sites.size());
+  parallelEach(sites.size(), grain, threadCount(threads),
+               [&](std::size_t i) { vectors[i] = vectorOf(sites, i); });
+  return vectors;
+}
+
+Arc arcOf(const std::vector<Direction>& vectors, const Diagram& diagram, std::size_t site, std::size_t edge) {
+  const Cell cell = diagram.cell(site);
+  const auto vertices = cell.vertices();
+  const std::size_t next = edge + 1 < vertices.size() ? edge + 1 : 0;
+  return arcBetween(vectors[site], vectors[static_cast<std::size_t>(cell.neighbors()[edge])],
+                    directionOf(vertices[edge]), directionOf(vertices[next]), next == edge);
+}
+
+std::vector<std::vector<Point>> linesOf(const SphereMap& map, const Arc& arc) {
+  std::vector<std::vector<Point>> lines;
+  for (const Stretch stretch : map.isFlat() ? withoutTurns(arc) : facing(map, arc)) {
+    if (map.isFlat() && isOnAntimeridian(along(arc, (stretch.from + stretch.to) / 2))) {
+      addBothSides(map, arc, stretch, lines);
+    } else {
+      lines.push_back(SmoothLine(map, arc, stretch).take());
+    }
+  }
+  return lines;
+}
+
+std::vector<std::vector<Point>> ringsOf(const SphereMap& map, const Sites& sites,
+                                        const std::vector<Direction>& vectors, const Diagram& diagram,
+                                        std::size_t site) {
+  if (diagram.status[site] != Status::ok) return {};
+  std::vector<std::vector<Point>> rings;
+  if (map.isFlat()) {
+    const Outline polygons = globePolygons(sites, diagram, site);
+    for (std::size_t r = 0; r + 1 < polygons.ring_offsets.size(); ++r)
+      rings.push_back(flatRing(map, ringAt(polygons, r)));
+  } else {
+    rings.push_back(seenRing(map, vectors, diagram, site));
+  }
+  std::erase_if(rings, [](const auto& ring) { return ring.size() < fewest_corners; });
+  return rings;
+}
+
+}  // namespace vorpipe::core

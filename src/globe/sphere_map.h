@@ -1,0 +1,79 @@
+/// Maps of the sphere in a plane: flat ones, and the globe as it is seen from far above.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "domain/degrees.h"
+#include "globe/direction.h"
+#include "globe/sphere_cells.h"
+#include "vorpipe/picture.h"
+
+namespace vorpipe::core {
+
+inline constexpr double antimeridian = whole_turn / 2;  ///< longitude, in degrees
+
+/// Degrees between points along the antimeridian, which is a curve on some maps.
+inline constexpr double border_step = 0.5;
+
+/// The box around the map that a picture of the globe shows, in the map's unit: degrees, meters, or radii of
+/// the globe.
+const Box& boxOfMap(const RenderOptions& options);
+
+/// The map of a picture.
+class SphereMap {
+ public:
+  explicit SphereMap(const RenderOptions& options);
+
+  [[nodiscard]] const Box& box() const { return box_; }
+  [[nodiscard]] bool isFlat() const { return !seen_from_; }
+
+  /// Where a flat map has a place in degrees, of longitude -180 to 180.
+  [[nodiscard]] Point flat(Point degrees) const;
+
+  /// The globe is seen in parallel from this direction; what is at right angles to it is its horizon.
+  [[nodiscard]] const Direction& viewer() const { return viewer_; }
+  [[nodiscard]] Point seen(const Direction& at) const { return {dot(right_, at), dot(up_, at)}; }
+
+  /// Where the map has a direction; none beyond the horizon.
+  [[nodiscard]] std::optional<Point> at(const Direction& direction) const;
+
+  /// The map's border, counter-clockwise; empty if that is the box.
+  [[nodiscard]] std::vector<Point> border() const;
+
+  /// The directions of the map's places with one y.
+  class Row {
+   public:
+    Row(const SphereMap& map, double y);
+    /// None beyond the map's border.
+    [[nodiscard]] std::optional<Direction> at(double x) const;
+
+   private:
+    const SphereMap& map_;
+    double y_, radians_ = 0;        ///< of longitude, for each unit of x
+    double sine_ = 0, cosine_ = 0;  ///< of the latitude
+  };
+
+ private:
+  bool equal_earth_;
+  bool seen_from_;
+  Box box_;
+  Direction viewer_{}, right_{}, up_{};
+};
+
+/// The parts of an arc that a map shows, as lines with so many points that they are smooth. They end at the
+/// map's border, and at poles, which are lines or corners of flat maps.
+std::vector<std::vector<Point>> linesOf(const SphereMap& map, const Arc& arc);
+
+/// Rings around what a map shows of a cell; `vectors` are those of all sites.
+std::vector<std::vector<Point>> ringsOf(const SphereMap& map, const Sites& sites,
+                                        const std::vector<Direction>& vectors, const Diagram& diagram,
+                                        std::size_t site);
+
+/// Edge k of a site's cell.
+Arc arcOf(const std::vector<Direction>& vectors, const Diagram& diagram, std::size_t site, std::size_t edge);
+
+/// The vector of each site, as in SphereSites.
+std::vector<Direction> vectorsOf(const Sites& sites, int threads);
+
+}  // namespace vorpipe::core

@@ -1,0 +1,121 @@
+#include "picture/globe_picture.h"
+
+#include <utility>
+#include <vector>
+
+#include "base/parallel.h"
+#include "base/stopwatch.h"
+#include "base/try.h"
+#include "globe/globe_cells.h"
+#include "globe/sphere_map.h"
+#include "globe/sphere_walk.h"
+#include "picture/draw_marks.h"
+#include "picture/palette.h"
+#include "picture/pixels.h"
+#include "vorpipe.h"
+#include "vorpipe/globe.h"
+
+namespace vorpipe::core {
+namespace {
+
+/// The pixels of a map, or several samples in each.
+class MapPixels {
+ public:
+  /// `colors` are by site. All arguments outlive this.
+  MapPixels(const SphereMap& map, const SphereWalk& walk, const std::vector<std::uint32_t>& colors,
+            const PictureFrame& frame, int threads)
+      : map_(map), walk_(walk), colors_(colors), frame_(frame), threads_(threads) {}
+
+  /// Draws rows of the frame from `first` to before `last`.
+  [[nodiscard]] Image draw(int first, int last, int in_pixel) const {
+    Image image{frame_.width * in_pixel, (last - first) * in_pixel, {}, {}};
+    const auto width = static_cast<std::size_t>(image.width), rows = static_cast<std::size_t>(image.height);
+    image.rgba.resize(width * rows);
+    image.ids.resize(width * rows);
+    constexpr std::size_t rows_at_once = 16;
+    parallelFor(rows, rows_at_once, threads_, [&](std::size_t begin, std::size_t end) {
+      std::uint32_t site = walk_.first();
+      for (auto row = begin; row < end; ++row) {
+        const int down = first * in_pixel + static_cast<int>(row);
+        site = drawRow(down, frame_.height * in_pixel, site, image, row * width);
+      }
+    });
+    return image;
+  }
+
+ private:
+  /// Draws one of so many rows from a pixel of the image on, and returns the site of its first place.
+  std::uint32_t drawRow(int row, int rows, std::uint32_t site, Image& image, std::size_t pixel) const {
+    const Box& box = map_.box();
+    const SphereMap::Row places(map_, box.ymax - (row + 0.5) / rows * (box.ymax - box.ymin));
+    std::uint32_t first = no_site;
+    for (int column = 0; column < image.width; ++column, ++pixel) {
+      const auto at = places.at(box.xmin + (column + 0.5) / image.width * (box.xmax - box.xmin));
+      if (!at) {
+        image.ids[pixel] = no_site;
+        continue;
+      }
+      site = walk_.to(*at, site);
+      if (first == no_site) first = site;
+      image.ids[pixel] = site;
+      image.rgba[pixel] = colors_[site];
+    }
+    return first == no_site ? site : first;
+  }
+
+  const SphereMap& map_;
+  const SphereWalk& walk_;
+  const std::vector<std::uint32_t>& colors_;
+  PictureFrame frame_;
+  int threads_;
+};
+
+/// The colors of cells, by site.
+std::vector<std::uint32_t> colorsOf(const PaletteIndices& found, const Palette& palette,
+                                    const RenderOptions& options) {
+  if (hasOwnColors(options)) return options.site_colors;
+  std::vector<std::uint32_t> colors(found.index.size(), unfilledColor(options));
+  if (!options.fill) return colors;
+  for (std::size_t i = 0; i < colors.size(); ++i) colors[i] = palette[found.index[i]];
+  return colors;
+}
+
+}  // namespace
+
+Result<Rendering> renderGlobe(const Machine& machine, const Sites& sites, const RenderOptions& options) {
+  CellsOptions wanted = cellsOptions(options);
+  wanted.detail = marksDetail(options);
+  VORPIPE_VAR(diagram, globeCellsOn(machine, sites, wanted));
+  return drawGlobe(sites, std::move(diagram), options, threadCount(machine.threads));
+}
+
+Result<Rendering> drawGlobe(const Sites& sites, Diagram diagram, const RenderOptions& options, int threads) {
+  const Stopwatch watch;
+  VORPIPE_VAR(found, paletteIndices(sites, diagram, options, threads));
+  VORPIPE_LET(palette, paletteOf(options, found.key));
+  VORPIPE_LET(marks, marksOf(sites, diagram, options, threads));
+  const auto fills = colorsOf(found, palette, options);
+  const auto colors = cellsShowBackground(options) ? std::vector<std::uint32_t>(fills.size()) : fills;
+
+  const SphereMap map(options);
+  const SphereWalk walk(sites, diagram, threads);
+  const PictureFrame frame = shownFrame(options);
+  const MapPixels pixels(map, walk, colors, frame, threads);
+  Rendering rendering;
+  rendering.image = pixels.draw(0, frame.height, 1);
+  const Sites dots = options.show_sites ? sitesOnMap(sites, options) : Sites{};
+  const Overlays overlays{options, marks, dots, map.box(), {0, 0, frame.width, frame.height}, threads};
+  const auto draw = [&](int first, int last) -> Result<Image> {
+    return pixels.draw(first, last, options.antialias);
+  };
+  VORPIPE_TRY(drawOverlays(overlays, draw, rendering.image));
+  completePicture(options, marks, fills, found.key, rendering.image);
+  rendering.report = diagram.report;
+  rendering.report.time_ms.draw = watch.milliseconds();
+  rendering.key = std::move(found.key);
+  rendering.status = std::move(diagram.status);
+  rendering.owner = std::move(diagram.owner);
+  return rendering;
+}
+
+}  // namespace vorpipe::core
