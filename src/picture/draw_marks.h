@@ -30,7 +30,7 @@ Result<void> drawOverlays(const Overlays& overlays, const DrawRows& cells, Image
 /// site. Ids do not change. Errors: those of `draw`.
 Result<void> smooth(const DrawRows& draw, int in_pixel, int threads, Image& image);
 
-/// Draws labels over a whole picture. `colors` are those of cells, by site.
+/// Draws labels, and the dots of names, over a whole picture. `colors` are those of cells, by site.
 void drawLabels(const Marks& marks, const RenderOptions& options, std::span<const std::uint32_t> colors,
                 Image& image);
 

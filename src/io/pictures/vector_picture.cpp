@@ -81,7 +81,7 @@ Result<VectorPicture> VectorPicture::make(const Sites& sites, const Diagram& dia
   if (options.legend && !options.legend_beside && picture.colors_.key) {
     picture.legend_ = legendOf(*picture.colors_.key, options);
   }
-  if (options.show_sites) {
+  if (options.show_sites && !hasNames(options)) {
     VORPIPE_TRY(picture.placeDots(sites, threads));
   }
   if (options.dual) {
@@ -92,17 +92,21 @@ Result<VectorPicture> VectorPicture::make(const Sites& sites, const Diagram& dia
     VORPIPE_VAR(labels, siteLabels(sites, diagram, options, threads));
     picture.labels_ = std::move(labels);
   }
+  if (picture.hasNamedDots()) {
+    picture.dots_ = picture.labels_.dots;
+    picture.dot_ = picture.labels_.dot;
+  }
   return picture;
 }
 
 LegendText VectorPicture::textOf(const SiteLabel& label) const {
   const double height = options_->label_size;
-  return {label.middle.x, label.middle.y + height / 2, height, Anchor::middle,
-          label.text,     inkOn(color(label.site))};
+  const auto [ink, halo] = colorsOf(label, *options_, color(label.site));
+  return {label.middle.x, label.middle.y + height / 2, height, Anchor::middle, label.text, ink, halo};
 }
 
 std::optional<LegendBox> VectorPicture::boxBelow(const SiteLabel& label) const {
-  if (!options_->dual) return std::nullopt;
+  if (!options_->dual || label.beyond) return std::nullopt;
   const double margin = labelMargin(*options_);
   const double width = label.width + 2 * margin, height = options_->label_size + 2 * margin;
   return LegendBox{label.middle.x - width / 2, label.middle.y - height / 2, width, height, color(label.site)};
