@@ -144,8 +144,8 @@ Point poleOf(const Room& room, const TextBox& box, const Box& in) {
   };
   const auto square = [&](Point middle, double half) {
     const Depth at = depthOf(room, middle, down);
-    const double depth = at.inside ? at.distance : -at.distance;
-    return Square{middle, half, depth, depth + half * std::numbers::sqrt2};
+    const double inward = at.inside ? at.distance : -at.distance;
+    return Square{middle, half, inward, inward + half * std::numbers::sqrt2};
   };
   const double half = std::max(in.xmax - in.xmin, (in.ymax - in.ymin) * down) / 2;
   const Point middle{(in.xmin + in.xmax) / 2, (in.ymin + in.ymax) / 2};
