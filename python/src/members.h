@@ -292,7 +292,8 @@ struct Members<RenderOptions> {
             member("paper", &RenderOptions::paper), member("values", &RenderOptions::values),
             member("colors", &RenderOptions::colors), member("texts", &RenderOptions::texts),
             member("title", &RenderOptions::title), member("legend_title", &RenderOptions::legend_title),
-            member("legend_beside", &RenderOptions::legend_beside)),
+            member("legend_beside", &RenderOptions::legend_beside),
+            member("legend_factor", &RenderOptions::legend_factor)),
       membersOf(picture_rows));
 };
 static_assert(has_all_members<RenderOptions>(4));  // the progress is the run's, the others are the input's
