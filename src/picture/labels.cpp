@@ -107,8 +107,8 @@ int coveredBeside(const Box& box, std::span<const Room> beside) {
   for (int place = 0; place < columns * rows; ++place) {
     const double x = (place % columns + 0.5) / columns, y = (place / columns + 0.5) / rows;
     const Point at{box.xmin + x * (box.xmax - box.xmin), box.ymin + y * (box.ymax - box.ymin)};
-    const auto isIn = [&](const Room& room) { return depthOf(room, at, 1).inside; };
-    if (std::ranges::any_of(beside, isIn)) ++covered;
+    const auto holds = [&](const Room& room) { return depthOf(room, at, 1).inside; };
+    if (std::ranges::any_of(beside, holds)) ++covered;
   }
   return covered;
 }
