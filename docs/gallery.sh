@@ -131,5 +131,7 @@ alike italy --sites "$root/tests/data/navaids.csv" --domain "$root/docs/examples
 draw cities --sites "$root/docs/examples/italian-cities.csv" --domain "$root/docs/examples/italy.geojson" --project auto \
   --color @people --color-scale log --legend beside --legend-title 'people, thousands' --labels @city --label-size 8 \
   --show-sites --edges --antialias 4 --title 'Italy by the nearest of 37 cities' --quiet
+draw rain --sites "$root/docs/examples/rain.csv" --domain "$root/docs/examples/catchments.geojson" --color area --legend beside \
+  --labels @name --label-size 12 --show-sites --edges --antialias 4 --title 'Thiessen polygons of eight rain gauges' --quiet
 alike foam --sites random:500 --random-weights 0,0.001 --periodic xy --color neighbors --colormap plasma --edges \
   --edge-width 2 --legend --antialias 4 --size 800

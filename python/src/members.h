@@ -292,7 +292,7 @@ struct Members<RenderOptions> {
             member("paper", &RenderOptions::paper), member("values", &RenderOptions::values),
             member("colors", &RenderOptions::colors), member("texts", &RenderOptions::texts),
             member("title", &RenderOptions::title), member("legend_title", &RenderOptions::legend_title),
-            member("legend_beside", &RenderOptions::legend_beside), member("globe", &RenderOptions::globe),
+            member("legend_beside", &RenderOptions::legend_beside), member("legend_factor", &RenderOptions::legend_factor), member("globe", &RenderOptions::globe),
             member("map", &RenderOptions::map), member("view_from", &RenderOptions::view_from)),
       membersOf(picture_rows));
 };

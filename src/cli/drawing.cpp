@@ -174,10 +174,10 @@ Result<void> takeAttributes(const PictureOptions& picture, const Input& input, R
     if (!colors) return named("--colormap", std::move(colors.error()));
     options.colors = std::move(*colors);
   }
-  // The plane of --project has kilometers, as the globe.
-  const bool of_earth = input.system.equal_area_center.has_value() || input.globe;
-  if (options.legend_beside && options.legend_title.empty() && options.color == ColorBy::area && of_earth) {
+  const auto unit = input.globe ? std::optional(1.0) : squareKilometersIn(input.system);
+  if (options.legend_beside && options.legend_title.empty() && options.color == ColorBy::area && unit) {
     options.legend_title = "area, km\u00B2";
+    options.legend_factor = *unit;
   }
   return {};
 }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <optional>
 
 #include "base/parallel.h"
@@ -51,19 +52,15 @@ std::uint32_t meanOf(const Image& samples, int row, int column, int in_pixel) {
   return mean;
 }
 
-/// Draws labels over a whole picture.
-void drawLabels(const Marks& marks, const RenderOptions& options, std::span<const std::uint32_t> colors,
-                Image& image) {
-  const double height = options.label_size, margin = labelMargin(options);
-  for (const SiteLabel& label : marks.labels) {
-    const double left = label.middle.x - label.width / 2, top = label.middle.y - height / 2;
-    const std::uint32_t cell = colors[label.site];
-    // Dual lines end at sites, where labels are.
-    if (options.dual) {
-      blendBox({left - margin, top - margin, left + label.width + margin, top + height + margin}, cell,
-               image);
+/// Draws a dot smoothed, whatever is below.
+void drawWholeDot(Point at, const DotSize& dot, std::uint32_t color, Image& image) {
+  const auto first = [](double edge) { return static_cast<int>(std::floor(edge)); };
+  for (int row = first(at.y - dot.radius); row <= first(at.y + dot.radius); ++row) {
+    for (int column = first(at.x - dot.radius); column <= first(at.x + dot.radius); ++column) {
+      const double distance = std::hypot(column + 0.5 - at.x, row + 0.5 - at.y);
+      if (dot.rim > 0) blend(image, row, column, black, dot.radius - distance + 0.5);
+      blend(image, row, column, color, dot.radius - dot.rim - distance + 0.5);
     }
-    drawTextAt(label.text, {left, top + height}, height, inkOn(cell), image);
   }
 }
 
@@ -94,7 +91,8 @@ Result<void> drawOverlays(const Overlays& overlays, const DrawRows& cells, Image
   const int threads = overlays.threads;
   const PictureFrame frame = shownFrame(options);
   std::optional<SiteDots> dots;
-  if (options.show_sites) dots.emplace(image, overlays.sites, overlays.box, options.dot_size);
+  if (options.show_sites && !hasNames(options))
+    dots.emplace(image, overlays.sites, overlays.box, options.dot_size);
   const auto draw_lines = [&](int first, int in_pixel, Image& into) {
     const SampleGrid samples{static_cast<double>(frame.left), static_cast<double>(frame.top + first),
                              in_pixel};
@@ -116,6 +114,28 @@ Result<void> drawOverlays(const Overlays& overlays, const DrawRows& cells, Image
   };
   return smooth(draw, in_pixel, threads, image);
 }
+
+namespace {
+
+void drawLabels(const Marks& marks, const RenderOptions& options, std::span<const std::uint32_t> colors,
+                Image& image) {
+  const double height = options.label_size, margin = labelMargin(options);
+  for (const Point dot : marks.labels.dots) drawWholeDot(dot, marks.labels.dot, dotColor(options), image);
+  for (const SiteLabel& label : marks.labels.labels) {
+    const double left = label.middle.x - label.width / 2, top = label.middle.y - height / 2;
+    const std::uint32_t cell = colors[label.site];
+    // Dual lines end at sites, where labels are.
+    if (options.dual && !label.beyond) {
+      blendBox({left - margin, top - margin, left + label.width + margin, top + height + margin}, cell,
+               image);
+    }
+    const auto [ink, halo] = colorsOf(label, options, cell);
+    if (halo) drawTextAt(label.text, {left, top + height}, height, *halo, image, halo_part * letter_units);
+    drawTextAt(label.text, {left, top + height}, height, ink, image);
+  }
+}
+
+}  // namespace
 
 void completePicture(const RenderOptions& options, const Marks& marks, std::span<const std::uint32_t> colors,
                      const std::optional<ColorKey>& key, Image& image) {

@@ -14,7 +14,9 @@ inline constexpr int letter_units = 7;
 /// U+017F, with what pixelsHaveLetters() says; others are as wide as a space.
 int unitsOf(std::string_view text);
 
-/// Draws a text of any height, smoothed. `at` is the start of its baseline.
-void drawTextAt(std::string_view text, Point at, double height, std::uint32_t color, Image& image);
+/// Draws a text of any height, smoothed. `at` is the start of its baseline. `halo`: by how many units the
+/// strokes are wider on every side.
+void drawTextAt(std::string_view text, Point at, double height, std::uint32_t color, Image& image,
+                double halo = 0);
 
 }  // namespace vorpipe::core

@@ -3,19 +3,19 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
-#include <numbers>
+#include <cstddef>
+#include <cstdint>
+#include <iterator>
 #include <optional>
-#include <queue>
 #include <span>
 #include <string>
 #include <utility>
 #include <vector>
 
-#include "base/inside.h"
 #include "base/try.h"
 #include "picture/font.h"
-#include "vorpipe/globe.h"
+#include "picture/text_room.h"
+#include "vorpipe.h"
 #include "vorpipe/shapes.h"
 
 namespace vorpipe {
@@ -24,246 +24,9 @@ using namespace core;
 
 namespace {
 
-/// The visible part of a cell, in pixels, y downward: the intersection of its rings, by the even-odd rule,
-/// and `shown`.
-struct Room {
-  std::vector<Point> points;
-  std::vector<std::size_t> offsets;  ///< start of each ring in `points`, then the end of the last
-  Box shown;
-};
-
-/// The box to fit.
-struct TextBox {
-  double width, height;
-  double gap;  ///< to the rings
-};
-
-double distance(Point a, Point b) { return std::hypot(a.x - b.x, a.y - b.y); }
-
-/// Returns twice the signed area of a ring; the sign gives its orientation.
-double turnOf(std::span<const Point> ring) {
-  double sum = 0;
-  for (std::size_t k = 0; k < ring.size(); ++k) {
-    const Point a = ring[k], b = ring[(k + 1) % ring.size()];
-    sum += (a.x - ring[0].x) * (b.y - ring[0].y) - (b.x - ring[0].x) * (a.y - ring[0].y);
-  }
-  return sum;
-}
-
-bool isConvex(const Room& room) {
-  if (room.offsets.size() != 2) return false;
-  const std::span<const Point> ring(room.points);
-  const double turn = turnOf(ring);
-  for (std::size_t k = 0; k < ring.size(); ++k) {
-    const Point a = ring[k], b = ring[(k + 1) % ring.size()], c = ring[(k + 2) % ring.size()];
-    const double corner = (b.x - a.x) * (c.y - b.y) - (b.y - a.y) * (c.x - b.x);
-    // Rounding may bend straight parts.
-    constexpr double straight = 1e-6;
-    if (corner * turn < 0 && std::abs(corner) > straight * distance(a, b) * distance(b, c)) return false;
-  }
-  return true;
-}
-
-/// Keeps the part of a convex polygon where (nx, ny) p >= least.
-void cut(std::vector<Point>& polygon, double nx, double ny, double least) {
-  std::vector<Point> kept;
-  for (std::size_t k = 0; k < polygon.size(); ++k) {
-    const Point a = polygon[k], b = polygon[(k + 1) % polygon.size()];
-    const double over_a = nx * a.x + ny * a.y - least, over_b = nx * b.x + ny * b.y - least;
-    if (over_a >= 0) kept.push_back(a);
-    if ((over_a > 0 && over_b < 0) || (over_a < 0 && over_b > 0)) {
-      const double t = over_a / (over_a - over_b);
-      kept.push_back({a.x + t * (b.x - a.x), a.y + t * (b.y - a.y)});
-    }
-  }
-  polygon = std::move(kept);
-}
-
-/// Returns the region of centers of boxes in `area`.
-std::vector<Point> middlesIn(const Box& area, const TextBox& box) {
-  const double x = box.width / 2, y = box.height / 2;
-  if (area.xmax - area.xmin < box.width || area.ymax - area.ymin < box.height) return {};
-  return {{area.xmin + x, area.ymin + y},
-          {area.xmax - x, area.ymin + y},
-          {area.xmax - x, area.ymax - y},
-          {area.xmin + x, area.ymax - y}};
-}
-
-/// Returns the region of centers of boxes that fit into a convex room: again a convex polygon.
-std::vector<Point> middlesIn(const Room& room, const TextBox& box, const Box& area) {
-  std::vector<Point> middles = middlesIn(area, box);
-  const std::span<const Point> ring(room.points);
-  const double inward = turnOf(ring) > 0 ? 1 : -1;
-  for (std::size_t k = 0; k < ring.size() && !middles.empty(); ++k) {
-    const Point a = ring[k], b = ring[(k + 1) % ring.size()];
-    const double length = distance(a, b);
-    if (length == 0) continue;
-    const double nx = -inward * (b.y - a.y) / length, ny = inward * (b.x - a.x) / length;
-    const double reach = (std::abs(nx) * box.width + std::abs(ny) * box.height) / 2 + box.gap;
-    cut(middles, nx, ny, nx * a.x + ny * a.y + reach);
-  }
-  return middles;
-}
-
-/// Returns the point of a convex polygon, with at least one corner, that is nearest to another point.
-Point nearestIn(std::span<const Point> polygon, Point p) {
-  const double turn = turnOf(polygon);
-  bool inside = turn != 0;
-  Point nearest = polygon[0];
-  for (std::size_t k = 0; k < polygon.size(); ++k) {
-    const Point a = polygon[k], b = polygon[(k + 1) % polygon.size()];
-    if (((b.x - a.x) * (p.y - a.y) - (b.y - a.y) * (p.x - a.x)) * turn < 0) inside = false;
-    const Point here = nearestOnLine(a, b, p);
-    if (distance(here, p) < distance(nearest, p)) nearest = here;
-  }
-  return inside ? p : nearest;
-}
-
-Box around(Point middle, const TextBox& box, double gap) {
-  const double x = box.width / 2 + gap, y = box.height / 2 + gap;
-  return {middle.x - x, middle.y - y, middle.x + x, middle.y + y};
-}
-
-/// Whether a line meets a box, by clipping it to the box's sides.
-bool meets(Point a, Point b, const Box& box) {
-  double from = 0, to = 1;
-  const auto keep = [&](double start, double way, double low, double high) {
-    if (way == 0) return start > low && start < high;
-    const double s = (low - start) / way, t = (high - start) / way;
-    from = std::max(from, std::min(s, t));
-    to = std::min(to, std::max(s, t));
-    return from < to;
-  };
-  return keep(a.x, b.x - a.x, box.xmin, box.xmax) && keep(a.y, b.y - a.y, box.ymin, box.ymax);
-}
-
-/// Whether a box in `area` lies in the room: its center does, and no ring meets it.
-bool fits(const Room& room, const TextBox& box, const Box& area, Point middle) {
-  const Box own = around(middle, box, 0), wide = around(middle, box, box.gap);
-  if (own.xmin < area.xmin || own.ymin < area.ymin || own.xmax > area.xmax || own.ymax > area.ymax)
-    return false;
-  bool inside = false;
-  for (std::size_t r = 0; r + 1 < room.offsets.size(); ++r) {
-    const std::size_t begin = room.offsets[r], end = room.offsets[r + 1];
-    for (std::size_t k = begin; k < end; ++k) {
-      const Point a = room.points[k], b = room.points[k + 1 < end ? k + 1 : begin];
-      if (meets(a, b, wide)) return false;
-      if ((a.y > middle.y) == (b.y > middle.y)) continue;
-      if (middle.x < a.x + (middle.y - a.y) / (b.y - a.y) * (b.x - a.x)) inside = !inside;
-    }
-  }
-  return inside;
-}
-
-/// Whether a point lies in the room, and its distance to the nearest ring.
-struct Depth {
-  bool inside;
-  double distance;
-};
-
-Depth depthOf(const Room& room, Point p, double down) {
-  Depth depth{false, std::numeric_limits<double>::infinity()};
-  for (std::size_t r = 0; r + 1 < room.offsets.size(); ++r) {
-    const std::size_t begin = room.offsets[r], end = room.offsets[r + 1];
-    for (std::size_t k = begin; k < end; ++k) {
-      const Point a = room.points[k], b = room.points[k + 1 < end ? k + 1 : begin];
-      const Point near = nearestOnLine({a.x, a.y * down}, {b.x, b.y * down}, {p.x, p.y * down});
-      depth.distance = std::min(depth.distance, std::hypot(near.x - p.x, near.y - p.y * down));
-      if ((a.y > p.y) == (b.y > p.y)) continue;
-      if (p.x < a.x + (p.y - a.y) / (b.y - a.y) * (b.x - a.x)) depth.inside = !depth.inside;
-    }
-  }
-  return depth;
-}
-
-/// Returns the place that is farthest from the rings, to a pixel: its pole of inaccessibility. Distances
-/// downward count more, as a text is wider than high. Searches squares that may hold a deeper place, the most
-/// promising first, and quarters them (as Agafonkin's polylabel does).
-Point poleOf(const Room& room, const TextBox& box, const Box& in) {
-  const double down = box.width / box.height;
-  struct Square {
-    Point middle;
-    double half, depth, most;
-    bool operator<(const Square& other) const { return most < other.most; }
-  };
-  const auto square = [&](Point middle, double half) {
-    const Depth at = depthOf(room, middle, down);
-    const double depth = at.inside ? at.distance : -at.distance;
-    return Square{middle, half, depth, depth + half * std::numbers::sqrt2};
-  };
-  const double half = std::max(in.xmax - in.xmin, (in.ymax - in.ymin) * down) / 2;
-  const Point middle{(in.xmin + in.xmax) / 2, (in.ymin + in.ymax) / 2};
-  Square best = square(middle, half);
-  std::priority_queue<Square> squares;
-  squares.push(best);
-  constexpr double precision = 1;
-  while (!squares.empty() && squares.top().most > best.depth + precision) {
-    const Square at = squares.top();
-    squares.pop();
-    const double part = at.half / 2;
-    for (const auto& [x, y] :
-         {Point{-part, -part}, Point{part, -part}, Point{-part, part}, Point{part, part}}) {
-      const Square quarter = square({at.middle.x + x, at.middle.y + y / down}, part);
-      if (quarter.depth > best.depth) best = quarter;
-      if (quarter.most > best.depth + precision) squares.push(quarter);
-    }
-  }
-  return best.middle;
-}
-
-/// Tries the place itself, then the deepest one, then others in rows and columns over the room.
-std::optional<Point> tryPlaces(const Room& room, const TextBox& box, const Box& area, Point near) {
-  if (fits(room, box, area, near)) return near;
-  constexpr int steps = 24;
-  const Box all = boxOf(room.points);
-  const Box in{std::max(all.xmin, area.xmin), std::max(all.ymin, area.ymin), std::min(all.xmax, area.xmax),
-               std::min(all.ymax, area.ymax)};
-  if (!(in.xmin < in.xmax && in.ymin < in.ymax)) return std::nullopt;
-  if (const Point pole = poleOf(room, box, in); fits(room, box, area, pole)) return pole;
-  std::optional<Point> best;
-  for (int row = 0; row < steps; ++row) {
-    for (int column = 0; column < steps; ++column) {
-      const Point at{in.xmin + (column + 0.5) / steps * (in.xmax - in.xmin),
-                     in.ymin + (row + 0.5) / steps * (in.ymax - in.ymin)};
-      if (best && distance(at, near) >= distance(*best, near)) continue;
-      if (fits(room, box, area, at)) best = at;
-    }
-  }
-  return best;
-}
-
-std::optional<Point> placeIn(const Room& room, const TextBox& box, const Box& area, Point near) {
-  if (room.points.empty()) return std::nullopt;
-  if (!isConvex(room)) return tryPlaces(room, box, area, near);
-  const auto middles = middlesIn(room, box, area);
-  if (middles.empty()) return std::nullopt;
-  return nearestIn(middles, near);
-}
-
-/// Returns the center of a box that fits into the room, as near to a place as possible; none if it does not
-/// fit. In a nonconvex room it only tries some places, so it may miss others.
-std::optional<Point> placeNear(const Room& room, const TextBox& box, Point near) {
-  return placeIn(room, box, room.shown, near);
-}
-
-/// The same beside a dot with this radius: below, above, right or left of it, whichever is nearest.
-std::optional<Point> placeBeside(const Room& room, const TextBox& box, Point dot, double radius) {
-  std::array<Box, 4> sides{room.shown, room.shown, room.shown, room.shown};
-  sides[0].ymin = std::max(sides[0].ymin, dot.y + radius);
-  sides[1].ymax = std::min(sides[1].ymax, dot.y - radius);
-  sides[2].xmin = std::max(sides[2].xmin, dot.x + radius);
-  sides[3].xmax = std::min(sides[3].xmax, dot.x - radius);
-  std::optional<Point> best;
-  for (const Box& side : sides) {
-    const auto at = placeIn(room, box, side, dot);
-    if (at && (!best || distance(*at, dot) < distance(*best, dot))) best = at;
-  }
-  return best;
-}
-
-/// Returns the radius of the dots, about the same in pixel and vector pictures; 0 without dots.
-double dotRadius(const Diagram& cells, const RenderOptions& options, const PicturePlaces& places) {
-  if (!options.show_sites) return 0;
+/// Returns the size of the dots, about the same in pixel and vector pictures; 0 without dots.
+DotSize dotOf(const Diagram& cells, const RenderOptions& options, const PicturePlaces& places) {
+  if (!options.show_sites) return {};
   constexpr double least_pixels = 0.5;
   std::vector<double> pixels;
   for (const double area : cells.area) {
@@ -276,7 +39,7 @@ double dotRadius(const Diagram& cells, const RenderOptions& options, const Pictu
     spacing = std::sqrt(*middle);
   }
   const PictureFrame& frame = places.frame();
-  return dotSizeOf(options.dot_size, spacing, {frame.width, frame.height}).radius;
+  return dotSizeOf(options.dot_size, spacing, {frame.width, frame.height});
 }
 
 /// Returns the rings of a copy of a cell, in pixels.
@@ -290,6 +53,144 @@ Room roomOf(const Cell& cell, Point by, const PicturePlaces& places) {
     room.offsets.push_back(room.points.size());
   }
   return room;
+}
+
+/// What names must not cover, by bands of rows.
+class Taken {
+ public:
+  explicit Taken(double band) : band_(band) {}
+
+  void add(const Box& box) {
+    const auto [first, last] = bandsOf(box);
+    if (last >= bands_.size()) bands_.resize(last + 1);
+    for (std::size_t band = first; band <= last; ++band) bands_[band].push_back(box);
+  }
+  [[nodiscard]] bool meets(const Box& box) const {
+    const auto meetsBox = [&box](const Box& other) {
+      return box.xmin < other.xmax && other.xmin < box.xmax && box.ymin < other.ymax && other.ymin < box.ymax;
+    };
+    const auto [first, last] = bandsOf(box);
+    for (std::size_t band = first; band <= last && band < bands_.size(); ++band) {
+      if (std::ranges::any_of(bands_[band], meetsBox)) return true;
+    }
+    return false;
+  }
+
+ private:
+  struct Bands {
+    std::size_t first, last;
+  };
+  [[nodiscard]] Bands bandsOf(const Box& box) const {
+    const auto bandAt = [this](double y) { return static_cast<std::size_t>(std::max(0.0, y) / band_); };
+    return {bandAt(box.ymin), bandAt(box.ymax)};
+  }
+
+  double band_;
+  std::vector<std::vector<Box>> bands_;
+};
+
+/// A name without room in its cell.
+struct WaitingName {
+  SiteLabel label;
+  TextBox box;
+};
+
+bool isIn(const Box& picture, const Box& box) {
+  return box.xmin >= picture.xmin && box.xmax <= picture.xmax && box.ymin >= picture.ymin &&
+         box.ymax <= picture.ymax;
+}
+
+/// Returns how much of a box lies in cells beside its own, of 24 places.
+int coveredBeside(const Box& box, std::span<const Room> beside) {
+  constexpr int columns = 8, rows = 3;
+  int covered = 0;
+  for (int place = 0; place < columns * rows; ++place) {
+    const double x = (place % columns + 0.5) / columns, y = (place / columns + 0.5) / rows;
+    const Point at{box.xmin + x * (box.xmax - box.xmin), box.ymin + y * (box.ymax - box.ymin)};
+    const auto holds = [&](const Room& room) { return depthOf(room, at, 1).inside; };
+    if (std::ranges::any_of(beside, holds)) ++covered;
+  }
+  return covered;
+}
+
+/// Returns the cells beside one, in pixels.
+std::vector<Room> roomsBeside(const Cell& cell, const Diagram& cells, const RenderOptions& options,
+                              const PicturePlaces& places) {
+  const double width = options.domain.xmax - options.domain.xmin;
+  const double height = options.domain.ymax - options.domain.ymin;
+  std::vector<Room> rooms;
+  for (std::size_t k = 0; k < cell.neighbors().size(); ++k) {
+    const std::int64_t neighbor = cell.neighbors()[k];
+    if (isWall(neighbor)) continue;
+    const auto [across, up] = cell.shifts().empty() ? std::array<std::int32_t, 2>{} : cell.shifts()[k];
+    rooms.push_back(
+        roomOf(cells.cell(static_cast<std::size_t>(neighbor)), {across * width, up * height}, places));
+  }
+  return rooms;
+}
+
+/// Returns the boxes of a name beside its dot, in the order of their worth.
+std::array<Box, 8> boxesBeside(const TextBox& box, Point dot, double radius) {
+  constexpr double diagonal = 0.7;
+  const double x = radius + box.width / 2, y = radius + box.height / 2;
+  const double slant_x = diagonal * radius + box.width / 2, slant_y = diagonal * radius + box.height / 2;
+  const std::array<Point, 8> ways{{{x, 0},
+                                   {-x, 0},
+                                   {0, -y},
+                                   {0, y},
+                                   {slant_x, -slant_y},
+                                   {slant_x, slant_y},
+                                   {-slant_x, -slant_y},
+                                   {-slant_x, slant_y}}};
+  std::array<Box, 8> boxes;
+  std::ranges::transform(ways, boxes.begin(), [&](Point way) {
+    const Point at{dot.x + way.x, dot.y + way.y};
+    return Box{at.x - box.width / 2, at.y - box.height / 2, at.x + box.width / 2, at.y + box.height / 2};
+  });
+  return boxes;
+}
+
+/// Places names that have no room in their cells beside their dots: where they cover no other name and no
+/// dot, and least of the cells beside their own.
+void addBeyond(std::vector<WaitingName>& waiting, const Sites& at, const Diagram& cells,
+               const RenderOptions& options, const Box& picture, SiteLabels& found) {
+  const PicturePlaces places(options);
+  const double radius = found.dot.radius;
+  Taken taken(options.label_size + 2 * labelMargin(options));
+  for (const Point dot : found.dots)
+    taken.add({dot.x - radius, dot.y - radius, dot.x + radius, dot.y + radius});
+  const auto takeLabel = [&](const SiteLabel& label) {
+    const double x = label.width / 2, y = options.label_size / 2;
+    taken.add({label.middle.x - x, label.middle.y - y, label.middle.x + x, label.middle.y + y});
+  };
+  for (const SiteLabel& label : found.labels) takeLabel(label);
+  for (auto& [label, box] : waiting) {
+    const Point dot = places.pixelOf({at.x[label.site], at.y[label.site]});
+    if (!isIn(picture, {dot.x, dot.y, dot.x, dot.y})) continue;
+    std::vector<Box> free;
+    std::ranges::copy_if(boxesBeside(box, dot, radius), std::back_inserter(free),
+                         [&](const Box& in) { return isIn(picture, in) && !taken.meets(in); });
+    if (free.empty()) continue;
+    const auto beside = roomsBeside(cells.cell(label.site), cells, options, places);
+    const Box best =
+        *std::ranges::min_element(free, {}, [&](const Box& in) { return coveredBeside(in, beside); });
+    label.middle = {(best.xmin + best.xmax) / 2, (best.ymin + best.ymax) / 2};
+    label.beyond = true;
+    takeLabel(label);
+    found.labels.push_back(std::move(label));
+  }
+}
+
+/// Returns the dots of sites that have a cell and lie in the picture.
+std::vector<Point> dotsOf(const Sites& at, const Diagram& cells, const Box& picture,
+                          const PicturePlaces& places) {
+  std::vector<Point> dots;
+  for (const Cell cell : cells) {
+    if (cell.rings().empty()) continue;
+    const Point dot = places.pixelOf({at.x[cell.index()], at.y[cell.index()]});
+    if (isIn(picture, {dot.x, dot.y, dot.x, dot.y})) dots.push_back(dot);
+  }
+  return dots;
 }
 
 }  // namespace
@@ -308,8 +209,23 @@ std::uint32_t inkOn(std::uint32_t rgba) {
   return red * channel(0) + green * channel(8) + blue * channel(16) < middle ? white : black;
 }
 
-Result<std::vector<SiteLabel>> siteLabels(const Sites& sites, const Diagram& cells,
-                                          const RenderOptions& options, int threads) {
+LabelColors colorsOf(const SiteLabel& label, const RenderOptions& options, std::uint32_t cell) {
+  constexpr std::uint32_t opaque = 0xFF000000u;
+  if (label.beyond) {
+    const std::uint32_t paper = unfilledColor(options);
+    const std::uint32_t halo = paper >= opaque ? paper : white;
+    return {inkOn(halo), halo};
+  }
+  if (!hasNames(options)) return {inkOn(cell), std::nullopt};
+  // Black stands out more from a color than white, by the contrast of WCAG 2 with a gamma of 2, if its
+  // luminance is above a fifth. Indices have always been black on somewhat lighter colors alone.
+  constexpr std::uint32_t red = 2126, green = 7152, blue = 722, fifth = 255 * 255 * 2000;
+  const auto square = [&](int shift) { return (cell >> shift & 0xFF) * (cell >> shift & 0xFF); };
+  return {red * square(0) + green * square(8) + blue * square(16) > fifth ? black : white, std::nullopt};
+}
+
+Result<SiteLabels> siteLabels(const Sites& sites, const Diagram& cells, const RenderOptions& options,
+                              int threads) {
   if (!options.texts.empty() && options.texts.size() != sites.size()) {
     return tl::unexpected(Error{ErrorCode::input, fmt::format("labels: {} texts, where there are {} sites",
                                                               options.texts.size(), sites.size())});
@@ -322,27 +238,38 @@ Result<std::vector<SiteLabel>> siteLabels(const Sites& sites, const Diagram& cel
   VORPIPE_LET(placed, periodic ? wrapped(sites, options.domain, options.periodic, threads) : Sites{});
   const Sites& at = periodic ? placed : sites;
   const PicturePlaces places(options);
-  const double dot = dotRadius(cells, options, places);
+  const Box picture{0, 0, static_cast<double>(options.width), static_cast<double>(options.height)};
+  SiteLabels found{{}, {}, dotOf(cells, options, places)};
+  const double dot = found.dot.radius;
+  const bool may_leave = hasNames(options) && options.show_sites;
+  if (may_leave) found.dots = dotsOf(at, cells, picture, places);
   const double margin = labelMargin(options), edge = options.edges ? (options.edge_width + 1) / 2 : 0;
-  std::vector<SiteLabel> labels;
+  std::vector<WaitingName> waiting;
   for (const Cell cell : cells) {
     const auto site = static_cast<std::uint32_t>(cell.index());
-    const std::string text = options.texts.empty() ? std::to_string(site) : options.texts[site];
-    if (text.empty()) continue;
+    std::string text = options.texts.empty() ? std::to_string(site) : options.texts[site];
+    if (text.empty() || cell.rings().empty()) continue;
     const double width = unitsOf(text) * options.label_size / letter_units;
     const TextBox box{width + 2 * margin, options.label_size + 2 * margin, edge};
     // Most cells of a large diagram are too small for a text.
-    if (cell.rings().empty() || places.pixelsOf(cell.area()) < box.width * box.height) continue;
-    for (const Point by : shownCopies(boxOf(cell.vertices()), options, places)) {
+    const bool has_room = places.pixelsOf(cell.area()) >= box.width * box.height;
+    if (!has_room && !may_leave) continue;
+    bool is_placed = false;
+    for (const Point by :
+         has_room ? shownCopies(boxOf(cell.vertices()), options, places) : std::vector<Point>{}) {
       const Point center = places.pixelOf({cell.centroid().x + by.x, cell.centroid().y + by.y});
       const Point own = places.pixelOf({at.x[site] + by.x, at.y[site] + by.y});
       const Room room = roomOf(cell, by, places);
       const bool beside = dot > 0 && depthOf(room, own, 1).inside;
       const auto middle = beside ? placeBeside(room, box, own, dot) : placeNear(room, box, center);
-      if (middle) labels.push_back({site, *middle, width, text});
+      if (!middle) continue;
+      found.labels.push_back({site, *middle, width, text});
+      is_placed = true;
     }
+    if (!is_placed && may_leave) waiting.push_back({{site, {}, width, std::move(text)}, box});
   }
-  return labels;
+  addBeyond(waiting, at, cells, options, picture, found);
+  return found;
 }
 
 }  // namespace vorpipe

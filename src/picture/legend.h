@@ -1,21 +1,12 @@
-/// The legend of a picture, and numbers in it.
+/// The legend of a picture.
 #pragma once
-
-#include <span>
-#include <string>
-#include <vector>
 
 #include "vorpipe.h"
 
 namespace vorpipe::core {
 
-/// Formats a finite number with `digits` significant digits, fewer if the last are 0, more if it is an
-/// integer of up to six digits: 0.012, 1.2e-5, 350.
-std::string numberText(double number, int digits);
-
-/// Formats ascending numbers with three significant digits each, or as many more as distinguish different
-/// numbers, unless one would then exceed `longest` characters.
-std::vector<std::string> numberTexts(std::span<const double> numbers, std::size_t longest);
+/// Pixels in a unit of the font: texts have about the same share of every picture.
+int legendUnit(PictureSize picture);
 
 /// Draws boxes and texts over the colors of a picture; its ids do not change.
 void drawLegend(const Legend& legend, Image& image);

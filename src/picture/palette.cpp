@@ -39,9 +39,10 @@ constexpr std::array<std::uint32_t, 15> turbo = {0x30123B, 0x4145AB, 0x4675ED, 0
 constexpr std::array<std::uint32_t, 2> gray = {0x000000, 0xFFFFFF};
 constexpr std::array<std::uint32_t, 3> thesis = {0x2040C0, 0xE8E8E0, 0xC02020};
 
-/// Colors that people with any kind of color vision tell apart (Okabe and Ito 2008), without their black.
-constexpr std::array<std::uint32_t, 7> okabe_ito = {0x56B4E9, 0xE69F00, 0x009E73, 0xF0E442,
-                                                    0xCC79A7, 0x0072B2, 0xD55E00};
+/// Colors that people with any kind of color vision tell apart (Okabe and Ito 2008), without their black. The
+/// first four differ in lightness as well, so that they are told apart in a gray print.
+constexpr std::array<std::uint32_t, 7> okabe_ito = {0xE69F00, 0x0072B2, 0xF0E442, 0x009E73,
+                                                    0x56B4E9, 0xD55E00, 0xCC79A7};
 constexpr std::uint32_t gray_of_missing = 0xFFD2D2D2u, gray_of_others = 0xFF8C8C8Cu;
 
 struct Colormap {

@@ -75,7 +75,7 @@ void beginReport(const KeptPicture& kept, Report& report) {
 /// Returns the colors of cells by site; empty if there are no labels.
 std::vector<std::uint32_t> colorsIn(const KeptPicture& kept, const RenderOptions& options, const Marks& marks,
                                     const Palette& palette) {
-  if (marks.labels.empty()) return {};
+  if (marks.labels.labels.empty()) return {};
   if (hasOwnColors(options)) return options.site_colors;
   const SiteSet& set = kept.found.run->prepared.set;
   std::vector<std::uint32_t> colors(kept.found.scene.imaged.count);

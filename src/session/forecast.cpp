@@ -101,7 +101,10 @@ void planMarks(MemoryPlan& plan, const Workload& work, const RenderOptions& opti
   if (!options.labels) return;
   const double box = options.label_size * options.label_size;
   const auto fit = static_cast<std::uint64_t>(static_cast<double>(imagePixels(options)) / box);
-  plan.take("lines and labels", std::min(work.sites, fit) * 2 * sizeof(SiteLabel));
+  // Names may leave their cells, so that all wait for a place, among boxes that are taken.
+  const bool all = hasNames(options) && options.show_sites;
+  const std::uint64_t label = 2 * sizeof(SiteLabel) + (all ? 6 * sizeof(Box) : 0);
+  plan.take("lines and labels", (all ? work.sites : std::min(work.sites, fit)) * label);
 }
 
 /// A table of sites between half and quarter full, and a tree over them.

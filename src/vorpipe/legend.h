@@ -39,6 +39,7 @@ struct LegendText {
   Anchor anchor;
   std::string text;  ///< UTF-8
   std::uint32_t rgba = black;
+  std::optional<std::uint32_t> halo{};  ///< halo_part wide; drawText() draws none
 };
 
 /// Returns how wide a text is when drawText() draws it, in pixels.

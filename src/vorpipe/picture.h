@@ -128,6 +128,7 @@ struct RenderOptions {
   std::vector<std::string> texts{};  ///< of labels, by site, UTF-8; empty: the sites' indices
   std::string title{};               ///< above the picture, which is higher for it; UTF-8
   std::string legend_title{};        ///< instead of what the colors show; UTF-8
+  double legend_factor = 1;          ///< of the numbers in the legend, as 1e-6 for km2 of areas in m2
   bool legend_beside = false;        ///< the legend is right of the picture, which is wider for it
   /// Sites are degrees of longitude and latitude, and cells are those on the sphere (globe.md). The picture
   /// shows all of a map, in the middle: domain, outline, period, search, fit and view are not used.

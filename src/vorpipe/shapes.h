@@ -55,14 +55,25 @@ struct SiteLabel {
   Point middle;  ///< of its capital letters, which are RenderOptions::label_size high, in pixels
   double width;
   std::string text;
+  bool beyond = false;  ///< reaches out of its cell, over a halo
 };
+
+/// Labels, and the dots that names stand beside: these are whole, also at the rim of the domain and beyond.
+struct SiteLabels {
+  std::vector<SiteLabel> labels;
+  std::vector<Point> dots;  ///< in pixels; none without names or RenderOptions::show_sites
+  DotSize dot;
+};
+
+/// Whether labels are names, which belong to dots, and not indices.
+inline bool hasNames(const RenderOptions& options) { return options.labels && !options.texts.empty(); }
 
 /// Marks drawn over cells that need their measures or polygons.
 struct Marks {
   std::vector<Line> edges;    ///< between cells
   std::vector<Line> outline;  ///< of the domain, closed
   std::vector<Line> dual;     ///< between sites whose cells share an edge
-  std::vector<SiteLabel> labels;
+  SiteLabels labels;
 };
 
 /// Whether a picture in pixels needs cells for its marks, and with which detail.
@@ -85,10 +96,21 @@ Result<std::vector<Line>> dualLines(const Sites& sites, const Diagram& cells, co
                                     int threads = 0);
 
 /// Returns only the labels. `cells` have Detail::polygons. A cell has a label if its box fits into the
-/// visible part of the cell, beside the site's dot if that lies in the cell, else in the middle. Error: that
-/// of wrapped().
-Result<std::vector<SiteLabel>> siteLabels(const Sites& sites, const Diagram& cells,
-                                          const RenderOptions& options, int threads = 0);
+/// visible part of the cell, beside the site's dot if that lies in the cell, else in the middle. A name
+/// without room there stands beside its dot, if it covers no other name and no other dot so. Error: that of
+/// wrapped().
+Result<SiteLabels> siteLabels(const Sites& sites, const Diagram& cells, const RenderOptions& options,
+                              int threads = 0);
+
+/// The color of a label, and of the halo around it.
+struct LabelColors {
+  std::uint32_t ink;
+  std::optional<std::uint32_t> halo;
+};
+LabelColors colorsOf(const SiteLabel& label, const RenderOptions& options, std::uint32_t cell);
+
+/// How wide the halo is on every side of a stroke, as a part of the label's height.
+inline constexpr double halo_part = 0.2;
 
 /// Black or white, whichever stands out from a color; black from one that is mostly transparent.
 std::uint32_t inkOn(std::uint32_t rgba);

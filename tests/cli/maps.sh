@@ -339,6 +339,53 @@ succeeds "many sites (seed $seed)" cells --backend cpu --sites in/many.csv --dom
 pieces out/p.csv out/p.gpkg in/many.csv "$examples/catchments.geojson" code
 succeeds "pieces of a power diagram" cells --backend cpu --check --sites "$examples/rain.csv" --weights in/eight.txt --domain "$examples/catchments.geojson" --by name --quiet -o out/p.csv
 awk -F, 'NR > 1 { sum[$1] += $8 } END { for (k in sum) if (sum[k] < 1 - 1e-12 || sum[k] > 1 + 1e-12) exit 1; exit length(sum) != 3 }' out/p.csv || fail "shares do not add up: $(cat out/p.csv)"
+
+# by_qgis LAYER...: what QGIS reads of files in out/ goes to in/LAYER.qgis.csv: the fields, and as "qgis" the system, whether
+# a shape is valid, its area in the plane, and in km2 on the ellipsoid.
+by_qgis() {
+  local layer
+  export QT_QPA_PLATFORM=offscreen XDG_RUNTIME_DIR=$work/qgis
+  mkdir -p -m 700 "$XDG_RUNTIME_DIR"
+  for layer in "$@"; do
+    HOME=$XDG_RUNTIME_DIR "$qgis" run native:fieldcalculator --ellipsoid=EPSG:7030 --area_units=km2 -- INPUT="out/$layer" FIELD_NAME=qgis \
+      FIELD_TYPE=2 FIELD_LENGTH=200 FORMULA="concat(@layer_crs, ' ', is_valid(\$geometry), ' ', area(\$geometry), ' ', \$area)" \
+      OUTPUT="in/$layer.qgis.csv" >"log/$layer" 2>&1 || echo "QGIS does not read out/$layer: $(tail -1 "log/$layer")" >&2 &
+  done
+  wait
+}
+# Debian's wrapper hands on options of the window, which qgis_process does not know.
+qgis=$(command -v qgis_process.bin || command -v qgis_process)
+if [ -n "$qgis" ]; then
+  succeeds "for QGIS: shares" cells --backend cpu --sites "$examples/rain.csv" --domain "$examples/catchments.geojson" --by name --quiet -o out/p.gpkg -o out/p.geojson
+  succeeds "for QGIS: cells of gauges" cells --backend cpu --sites "$examples/rain.csv" --domain "$examples/catchments.geojson" --quiet -o out/c.geojson
+  succeeds "for QGIS: a country" cells --backend cpu --sites "$examples/italian-cities.csv" --domain "$italy" --project auto --quiet -o out/i.gpkg
+  name="QGIS reads shares, cells and a country"
+  by_qgis p.gpkg p.geojson c.geojson i.gpkg
+  /usr/bin/python3 - <<'END' || fail "QGIS reads something else"
+import csv
+read, areas = {}, {}
+for layer in ("p.gpkg", "p.geojson", "c.geojson", "i.gpkg"):
+    rows = read[layer] = list(csv.DictReader(open(f"in/{layer}.qgis.csv")))
+    there = [row["qgis"].split() for row in rows]
+    assert {at[0] for at in there} == {"EPSG:4326" if layer[0] == "i" else "EPSG:25832"}, (layer, there)
+    assert all(at[1] == "true" for at in there), f"a shape in {layer} is not valid: {there}"
+    for row, at in zip(rows, there):
+        area, flat, round_ = float(row["area"]), float(at[2]), float(at[3])
+        if layer[0] == "i":  # edges are straight in another plane
+            assert abs(round_ - area) < 1e-2 * area, (layer, row)
+        else:
+            assert abs(flat - area) < 1e-9 * area and abs(float(row["area_km2"]) - area / 1e6) < 1e-9, (layer, row)
+            assert abs(round_ - area / 1e6) < 1e-3 * round_, f"a part in a thousand of UTM: {layer}, {row}"
+    areas[layer] = sum(float(at[3]) for at in there)
+assert [len(rows) for rows in read.values()] == [13, 13, 8, 37], {layer: len(rows) for layer, rows in read.items()}
+assert abs(areas["i.gpkg"] - 300774.5) < 300, areas
+assert list(read["p.gpkg"][0]) == ["fid", *read["p.geojson"][0]], (list(read["p.gpkg"][0]), list(read["p.geojson"][0]))
+assert list(read["p.geojson"][0]) == ["name", "site", "x", "y", "area", "area_km2", "share", "site_name", "rain_mm", "qgis"]
+assert read["i.gpkg"][27]["city"] == "Forl\u00ec", read["i.gpkg"][27]
+END
+else
+  skipped "QGIS reads shares and cells" "there is no qgis_process"
+fi
 square() { printf '{"type":"Feature","properties":{"name":%s,"area":7},"geometry":{"type":"Polygon","coordinates":[[[%d,0],[%d,0],[%d,2],[%d,2],[%d,0]]]}}' "$1" $2 $3 $3 $2 $2; }
 printf '{"type":"FeatureCollection",%s"features":[%s,%s,%s,%s,{"type":"Feature","properties":{"name":"none"},"geometry":null}]}' "$(crs 25832)" \
   "$(square '"a"' 0 2)" "$(square '"b"' 1 3)" "$(square '"a"' 5 6)" "$(square null 6 7)" >in/squares.geojson

@@ -154,6 +154,39 @@ def labels_stand_in_their_cells(maps):
             assert ids[int(y), int(x)] == names.index(name), f"{name} stands at {x}, {y}"
 
 
+def names_leave_small_cells(maps):
+    """Names stand beside dots over a halo, on what is no cell as well; dots at the rim are whole."""
+    with open("rim.csv", "w", encoding="utf-8") as file:
+        file.write("x,y,name\n0.5,0.5,Middle\n0.995,0.5,Harbour\n")
+    with open("rim.wkt", "w", encoding="utf-8") as file:
+        file.write("MULTIPOLYGON (((0 0, 1 0, 1 1, 0 1, 0 0)), ((1.6 0, 1.61 0, 1.61 1, 1.6 1, 1.6 0)))")
+    options = ["--sites", "rim.csv", "--domain", "rim.wkt", "--size", "322x200", "--labels", "@name", "--show-sites",
+               "--color", "distinct", "--dot-size", "12", "--view", "0,0,1.61,1"]
+    maps.render(*options, "-o", "p.png", "-o", "p.svg", "-o", "p.pdf", "--ids", "p.npy")
+    png, ids = maps.read_png("p.png"), np.load("p.npy")
+    assert ids[100, 203] == NO_SITE and png[100, 203].min() > 250, f"the dot at the rim is cut: {png[100, 203]}"
+    text = {element.text: element for element in elements_of("p.svg", "text")}["Harbour"]
+    middle = float(text.get("x")), float(text.get("y")) - 5
+    assert abs(middle[0] - 199) > 20 or abs(middle[1] - 100) > 10, f"the name covers its dot: {middle}"
+    assert text.get("stroke") == "#ffffff" and text.get("paint-order") == "stroke", text.attrib
+    if shutil.which("pdftotext"):
+        said = subprocess.run(["pdftotext", "p.pdf", "-"], capture_output=True, check=True, encoding="utf-8").stdout
+        assert "Harbour" in said, said
+
+
+def areas_have_a_unit(maps):
+    """Beside a map in a metric system areas are in km2; a title of one's own leaves the numbers."""
+    with open("utm.csv", "w", encoding="utf-8") as file:
+        file.write("x,y\n500000,5000000\n503000,5000000\n")
+    options = ["--sites", "utm.csv", "--crs", "EPSG:32632", "--domain", "499000,4999000,507000,5001000", "--color", "area",
+               "--legend", "beside"]
+    maps.render(*options, "-o", "p.svg")
+    texts = texts_of("p.svg")
+    assert "area, km²" in texts and {"5", "11"} <= set(texts), texts
+    maps.render(*options, "--legend-title", "m²", "-o", "p.svg")
+    assert {"m²", "5e6", "1.1e7"} <= set(texts_of("p.svg")), texts_of("p.svg")
+
+
 def elements_of(path, tag):
     return list(xml.etree.ElementTree.parse(path).getroot().iter("{http://www.w3.org/2000/svg}" + tag))
 
@@ -167,7 +200,7 @@ def check_maps(vorpipe, read_png):
     failures = 0
     maps = Maps(vorpipe, read_png)
     for check in (numbers_are_colors, names_are_colors, neighbors_differ, sheets_leave_the_map, labels_are_texts,
-                  labels_stand_in_their_cells, *GLOBE_CHECKS):
+                  labels_stand_in_their_cells, names_leave_small_cells, areas_have_a_unit, *GLOBE_CHECKS):
         try:
             check(maps)
         except AssertionError as error:

@@ -116,9 +116,11 @@ std::string leftOutNote(const Diagram& diagram) {
   return fmt::format("--only-cells: {} of {} sites have no cell, and are left out", left_out, diagram.size());
 }
 
-/// Returns the path of the first GeoJSON file.
-std::string geoJsonPath(const CellsTargets& targets) {
-  const auto isGeoJson = [](std::string_view extension) { return extension.starts_with(".geojson"); };
+/// Returns the path of the first GeoJSON file, or of the first of lines, if the others name their system.
+std::string geoJsonPath(const CellsTargets& targets, bool lines_alone) {
+  const auto isGeoJson = [lines_alone](std::string_view extension) {
+    return extension.starts_with(lines_alone ? ".geojsonl" : ".geojson");
+  };
   for (const CellsTarget& target : targets.cells) {
     if (isGeoJson(target.format->extension)) return target.path;
   }
@@ -131,15 +133,15 @@ std::string geoJsonPath(const CellsTargets& targets) {
 }
 
 /// Prints up to three lines on standard error, unless the run is quiet: how many records --only-cells left
-/// out; which attributes were renamed in the files; that GeoJSON has coordinates of a plane, which readers
-/// take for degrees.
+/// out; which attributes were renamed in the files; that GeoJSON has coordinates of a plane without its name,
+/// which readers take for degrees.
 void printCellsNotes(const TalkOptions& talk, const CellsTargets& targets, const CellsOutput& output) {
   const auto note = [&talk](const std::string& text) {
     if (!talk.quiet && !text.empty()) printNote(text);
   };
   if (targets.only_cells) note(leftOutNote(output.diagram));
   if (targets.carryAttributes()) note(renamingNote(output.attributes, addedFields(output)));
-  const std::string geojson = geoJsonPath(targets);
+  const std::string geojson = geoJsonPath(targets, !geoJsonSystem(output.system).empty());
   if (output.system.kind == CoordinateKind::plane && !geojson.empty()) {
     note(
         fmt::format("{}: readers take the coordinates of GeoJSON for degrees, and these are of a plane; "

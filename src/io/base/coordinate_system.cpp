@@ -311,6 +311,12 @@ std::optional<double> squareKilometersIn(const CoordinateSystem& system) {
   return kilometers * kilometers;
 }
 
+std::string geoJsonSystem(const CoordinateSystem& system) {
+  if (system.organization != "EPSG" || compared(system, wgs84()) != SystemsAre::different) return {};
+  return fmt::format(
+      R"("crs":{{"type":"name","properties":{{"name":"urn:ogc:def:crs:EPSG::{}"}}}},)", system.code);
+}
+
 Result<void> readSystemBeside(const std::string& path, CoordinateSystem& system) {
   constexpr std::size_t longest = std::size_t{1} << 20;  // bytes
   if (path == "-" || hasName(system)) return {};

@@ -48,6 +48,10 @@ bool hasName(const CoordinateSystem& system);
 /// Returns the system's name for messages: "EPSG:25832", the name in its definition, or its kind.
 std::string nameOf(const CoordinateSystem& system);
 
+/// Returns the member "crs" of GeoJSON, with a comma after it: that of a system with a code of EPSG that
+/// readers would take for WGS 84 without it. Else nothing.
+std::string geoJsonSystem(const CoordinateSystem& system);
+
 /// Returns the system of coordinates known to be degrees: the named one, or WGS 84.
 inline CoordinateSystem degreesOf(const CoordinateSystem& system) {
   return system.kind == CoordinateKind::degrees && hasName(system) ? system : wgs84();

@@ -2,6 +2,7 @@
 /// source.
 #pragma once
 
+#include <fmt/core.h>
 #include <nlohmann/json_fwd.hpp>
 
 #include <cstddef>
@@ -10,6 +11,7 @@
 #include <string_view>
 
 #include "base/try.h"
+#include "io/base/coordinate_system.h"
 #include "io/base/print.h"
 #include "vorpipe.h"
 
@@ -44,12 +46,15 @@ enum class FeaturesAs : std::uint8_t {
 };
 
 /// Writes the feature that `put(bytes, index)` appends for each index below `count`; put returns false if it
-/// appends none. Calls put as writeEach() does. Error (device): writing failed.
+/// appends none. Calls put as writeEach() does. A collection names the system of its coordinates; lines have
+/// no room for it. Error (device): writing failed.
 template <class Put>
-Result<void> writeFeatures(ByteSink& sink, FeaturesAs as, std::size_t count, const Put& put, int threads) {
+Result<void> writeFeatures(ByteSink& sink, FeaturesAs as, const CoordinateSystem& system, std::size_t count,
+                           const Put& put, int threads) {
   const bool lines = as == FeaturesAs::lines;
   if (!lines) {
-    VORPIPE_TRY(sink.write(R"({"type":"FeatureCollection","features":[)"));
+    VORPIPE_TRY(
+        sink.write(fmt::format(R"({{"type":"FeatureCollection",{}"features":[)", geoJsonSystem(system))));
   }
   const auto putFeature = [&](Bytes& text, std::size_t index) {
     const std::size_t before = text.size();

@@ -135,7 +135,7 @@ Result<void> writeCellFeatures(ByteSink& sink, FeaturesAs as, const CellsOutput&
     text.push_back('}');
     return true;
   };
-  return writeFeatures(sink, as, output.sites.size(), put, output.threads);
+  return writeFeatures(sink, as, output.system, output.sites.size(), put, output.threads);
 }
 
 void printWkt(Bytes& text, const CellPolygons& cell) {

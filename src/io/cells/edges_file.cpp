@@ -73,7 +73,7 @@ Result<void> writeEdgeFeatures(ByteSink& sink, FeaturesAs as, const LinesOutput&
         line.length, line.begin.x, line.begin.y, line.end.x, line.end.y);
     return true;
   };
-  return writeFeatures(sink, as, output.count, put, output.threads);
+  return writeFeatures(sink, as, output.system, output.count, put, output.threads);
 }
 
 Result<void> writeGeojsonEdges(ByteSink& sink, const LinesOutput& output) {

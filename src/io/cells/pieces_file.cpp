@@ -93,7 +93,7 @@ Result<void> writePieceFeatures(ByteSink& sink, FeaturesAs as, const PiecesOutpu
     text.push_back('}');
     return true;
   };
-  return writeFeatures(sink, as, output.pieces.size(), put, output.threads);
+  return writeFeatures(sink, as, output.system, output.pieces.size(), put, output.threads);
 }
 
 Result<void> writeGeojsonPieces(ByteSink& sink, const PiecesOutput& output) {

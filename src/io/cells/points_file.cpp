@@ -78,7 +78,7 @@ Result<void> writePointFeatures(ByteSink& sink, FeaturesAs as, const PointsOutpu
     text.append(std::string_view("}}"));
     return true;
   };
-  return writeFeatures(sink, as, sites.size(), put, output.threads);
+  return writeFeatures(sink, as, output.system, sites.size(), put, output.threads);
 }
 
 Result<void> writeGeojsonPoints(ByteSink& sink, const PointsOutput& output) {

@@ -203,8 +203,16 @@ Result<void> writeLabels(ByteSink& page, Bytes& text, const PdfFont& font, const
       printBox(text, box->left, box->top, box->width, box->height);
       put(text, "f\n");
     }
-    printColor(text, inkOn(color), "rg");
-    printText(text, font, picture.textOf(label));
+    const LegendText line = picture.textOf(label);
+    if (line.halo) {
+      printColor(text, *line.halo, "RG");
+      printLength(text, 2 * halo_part * line.height, "w");
+      put(text, "1 Tr\n");
+      printText(text, font, line);
+      put(text, "0 Tr\n");
+    }
+    printColor(text, line.rgba, "rg");
+    printText(text, font, line);
     VORPIPE_TRY(writeIfFull(page, text));
   }
   return {};
@@ -252,8 +260,13 @@ Result<void> writeContents(ByteSink& page, const VectorPicture& picture, const P
   if (!picture.dual().empty()) {
     VORPIPE_TRY(writeDual(page, text, picture));
   }
-  VORPIPE_TRY(writeDots(page, text, picture));
+  if (!picture.hasNamedDots()) {
+    VORPIPE_TRY(writeDots(page, text, picture));
+  }
   put(text, "Q\n");
+  if (picture.hasNamedDots()) {
+    VORPIPE_TRY(writeDots(page, text, picture));
+  }
   VORPIPE_TRY(writeLabels(page, text, font, picture));
   if (picture.legend()) printLegend(text, font, *picture.legend());
   if (!picture.sheet().legend.boxes.empty()) printLegend(text, font, picture.sheet().legend);

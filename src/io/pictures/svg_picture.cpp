@@ -186,7 +186,7 @@ Result<void> writeDual(ByteSink& sink, Bytes& text, const VectorPicture& picture
 }
 
 Result<void> writeDots(ByteSink& sink, Bytes& text, const VectorPicture& picture) {
-  beginLayer(text, "sites", clipOf(picture));
+  beginLayer(text, "sites", picture.hasNamedDots() ? std::string_view{} : clipOf(picture));
   printColor(text, "fill", picture.dotColor());
   const auto [radius, rim] = picture.dot();
   if (rim > 0) {
@@ -224,6 +224,11 @@ void printText(Bytes& text, const LegendText& line) {
   printLength(text, "y", line.baseline);
   printLength(text, "font-size", fontSize(line.height));
   if (line.rgba != black) printColor(text, "fill", line.rgba);
+  if (line.halo) {
+    put(text, " paint-order=\"stroke\" stroke-linejoin=\"round\"");
+    printColor(text, "stroke", *line.halo);
+    printLength(text, "stroke-width", 2 * halo_part * line.height);
+  }
   print(text, FMT_COMPILE(" text-anchor=\"{}\">"), anchors[static_cast<std::size_t>(line.anchor)]);
   for (const char letter : line.text) {
     put(text, letter == '<' ? "&lt;" : letter == '&' ? "&amp;" : std::string_view(&letter, 1));

@@ -88,7 +88,7 @@ Result<VectorPicture> VectorPicture::make(const Sites& sites, const Diagram& dia
     picture.diagram_ = &picture.map_->cells.diagram;
     picture.options_ = &picture.map_->cells.options;
   }
-  if (options.show_sites) {
+  if (options.show_sites && !hasNames(options)) {
     VORPIPE_TRY(picture.placeDots(threads));
   }
   if (options.dual) {
@@ -99,17 +99,21 @@ Result<VectorPicture> VectorPicture::make(const Sites& sites, const Diagram& dia
     VORPIPE_VAR(labels, siteLabels(*picture.sites_, *picture.diagram_, *picture.options_, threads));
     picture.labels_ = std::move(labels);
   }
+  if (picture.hasNamedDots()) {
+    picture.dots_ = picture.labels_.dots;
+    picture.dot_ = picture.labels_.dot;
+  }
   return picture;
 }
 
 LegendText VectorPicture::textOf(const SiteLabel& label) const {
   const double height = options_->label_size;
-  return {label.middle.x, label.middle.y + height / 2, height, Anchor::middle,
-          label.text,     inkOn(color(label.site))};
+  const auto [ink, halo] = colorsOf(label, *options_, color(label.site));
+  return {label.middle.x, label.middle.y + height / 2, height, Anchor::middle, label.text, ink, halo};
 }
 
 std::optional<LegendBox> VectorPicture::boxBelow(const SiteLabel& label) const {
-  if (!options_->dual) return std::nullopt;
+  if (!options_->dual || label.beyond) return std::nullopt;
   const double margin = labelMargin(*options_);
   const double width = label.width + 2 * margin, height = options_->label_size + 2 * margin;
   return LegendBox{label.middle.x - width / 2, label.middle.y - height / 2, width, height, color(label.site)};

@@ -143,7 +143,9 @@ class VectorPicture {
   /// Lines between sites whose cells have a common edge.
   [[nodiscard]] std::span<const Line> dual() const { return dual_; }
 
-  [[nodiscard]] std::span<const SiteLabel> labels() const { return labels_; }
+  [[nodiscard]] std::span<const SiteLabel> labels() const { return labels_.labels; }
+  /// Whether dots belong to names, and are drawn after all else, without an end at the rim.
+  [[nodiscard]] bool hasNamedDots() const { return options_->show_sites && hasNames(*options_); }
   [[nodiscard]] LegendText textOf(const SiteLabel& label) const;
   /// Background box of a label, in the color of its cell: dual lines end at sites, where the labels are. None
   /// without a dual.
@@ -178,7 +180,7 @@ class VectorPicture {
   std::vector<Point> dots_;
   DotSize dot_{};
   std::vector<Line> dual_;
-  std::vector<SiteLabel> labels_;
+  SiteLabels labels_;
 };
 
 /// Appends a length in pixels to the nearest 1e-4, in as few characters as possible.

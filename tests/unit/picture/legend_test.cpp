@@ -4,6 +4,7 @@
 
 #include "picture/font.h"
 #include "picture/legend.h"
+#include "picture/number_text.h"
 #include "vorpipe.h"
 
 namespace vorpipe::test {

@@ -220,12 +220,12 @@ TEST(Labels, StandInTheirCellsAndWhereverThereIsRoom) {
         options.label_size = size;
         const auto labels = siteLabels(sites, polygonsOf(sites, options), options);
         ASSERT_TRUE(labels);
-        for (const SiteLabel& label : *labels) {
+        for (const SiteLabel& label : labels->labels) {
           EXPECT_EQ(label.text, std::to_string(label.site));
           EXPECT_TRUE(liesInItsCell(label, sites, options)) << label.text << ' ' << size;
         }
-        EXPECT_EQ(labels->size() > 150, size == 6) << size;
-        EXPECT_EQ(labels->size() < 20, size == 30) << size;
+        EXPECT_EQ(labels->labels.size() > 150, size == 6) << size;
+        EXPECT_EQ(labels->labels.size() < 20, size == 30) << size;
       }
     }
   }
@@ -240,8 +240,8 @@ TEST(Labels, StandInWhatAnOutlineLeavesOfACell) {
   const Sites sites{{0.5}, {0.1}, {}};
   const auto labels = siteLabels(sites, polygonsOf(sites, options), options);
   ASSERT_TRUE(labels);
-  ASSERT_EQ(labels->size(), 1u);
-  const Point at = labels->front().middle;
+  ASSERT_EQ(labels->labels.size(), 1u);
+  const Point at = labels->labels.front().middle;
   EXPECT_TRUE(at.x < 20 || at.x > 80 || at.y > 80) << at.x << ' ' << at.y;
 }
 
@@ -253,10 +253,10 @@ TEST(Labels, StandInTheMiddleOfCellsWhoseSitesLieElsewhere) {
   const Sites sites{{0.5, 0.5}, {-0.5, 1.5}, {}};
   const auto labels = siteLabels(sites, polygonsOf(sites, options), options);
   ASSERT_TRUE(labels);
-  ASSERT_EQ(labels->size(), 2u);
-  EXPECT_EQ((*labels)[1].text, "there");
-  EXPECT_NEAR((*labels)[1].middle.x, 100, 1);
-  EXPECT_NEAR((*labels)[1].middle.y, 50, 1);
+  ASSERT_EQ(labels->labels.size(), 2u);
+  EXPECT_EQ(labels->labels[1].text, "there");
+  EXPECT_NEAR(labels->labels[1].middle.x, 100, 1);
+  EXPECT_NEAR(labels->labels[1].middle.y, 50, 1);
 }
 
 TEST(Labels, AreAsManyAsTheSites) {
@@ -268,8 +268,59 @@ TEST(Labels, AreAsManyAsTheSites) {
   options.texts = {"", "two"};
   const auto labels = siteLabels(sites, polygonsOf(sites, options), options);
   ASSERT_TRUE(labels);
-  ASSERT_EQ(labels->size(), 1u);
-  EXPECT_EQ(labels->front().site, 1u);
+  ASSERT_EQ(labels->labels.size(), 1u);
+  EXPECT_EQ(labels->labels.front().site, 1u);
+}
+
+TEST(Labels, NamesWithoutRoomStandBesideTheirDots) {
+  const Sites sites = generate(Pattern::random, 200, 4);
+  RenderOptions options = optionsOf(500, 500);
+  options.labels = true;
+  for (std::size_t i = 0; i < sites.size(); ++i) options.texts.push_back(i % 2 == 0 ? "Long name" : "");
+  const auto inside = siteLabels(sites, polygonsOf(sites, options), options);
+  ASSERT_TRUE(inside);
+  EXPECT_TRUE(inside->dots.empty());
+  EXPECT_TRUE(std::ranges::none_of(inside->labels, &SiteLabel::beyond));
+  options.show_sites = true;
+  const auto found = siteLabels(sites, polygonsOf(sites, options), options);
+  ASSERT_TRUE(found);
+  EXPECT_EQ(found->dots.size(), sites.size());
+  EXPECT_GT(found->labels.size(), inside->labels.size());
+  EXPECT_GT(std::ranges::count_if(found->labels, &SiteLabel::beyond), 5);
+  const auto gap = [&](const SiteLabel& label, Point at) {
+    return std::max(std::abs(at.x - label.middle.x) - label.width / 2,
+                    std::abs(at.y - label.middle.y) - options.label_size / 2);
+  };
+  for (const SiteLabel& label : found->labels) {
+    if (!label.beyond) continue;
+    EXPECT_GE(label.middle.x - label.width / 2, 0);
+    EXPECT_LE(label.middle.x + label.width / 2, 500);
+    for (const Point dot : found->dots) EXPECT_GE(gap(label, dot), 0) << label.site;
+    const Point own{500 * sites.x[label.site], 500 - 500 * sites.y[label.site]};
+    EXPECT_LT(gap(label, own), 10) << label.site;
+    for (const SiteLabel& other : found->labels) {
+      if (other.site == label.site) continue;
+      const bool apart = std::abs(other.middle.x - label.middle.x) >= (other.width + label.width) / 2 ||
+                         std::abs(other.middle.y - label.middle.y) >= options.label_size;
+      EXPECT_TRUE(apart) << label.site << ' ' << other.site;
+    }
+  }
+}
+
+TEST(Labels, NamesStandOutAsMuchAsBlackOrWhiteCan) {
+  RenderOptions options = optionsOf(100, 100);
+  options.labels = true;
+  options.texts = {"a"};
+  constexpr std::uint32_t teal = 0xFF739E00u, blue = 0xFFB27200u, night = 0xFF400000u;
+  SiteLabel label{0, {}, 10, "a"};
+  EXPECT_EQ(colorsOf(label, options, teal).ink, black);
+  EXPECT_EQ(colorsOf(label, options, blue).ink, white);
+  EXPECT_FALSE(colorsOf(label, options, blue).halo);
+  label.beyond = true;
+  EXPECT_EQ(colorsOf(label, options, blue).halo, white);
+  options.background = Color{night};
+  EXPECT_EQ(colorsOf(label, options, teal).halo, night);
+  EXPECT_EQ(colorsOf(label, options, teal).ink, white);
 }
 
 TEST(Labels, StandOutFromTheirCells) {
