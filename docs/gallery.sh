@@ -1,16 +1,19 @@
 #!/usr/bin/env bash
-# Draws every picture of docs/gallery anew: docs/gallery.sh [--program VORPIPE] [--into FOLDER]
+# Draws every picture of docs/gallery anew: docs/gallery.sh [--program VORPIPE] [--into FOLDER] [--film STEPS]
+# The film has a picture every so many steps: 2, of which the test wants fewer.
 # The backend is cpu, whose pictures are the same on every machine. The test docs_gallery compares what this script
 # draws with what is committed.
 set -euo pipefail
 root=$(cd -P "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 program=$root/run
 into=$root/docs/gallery
+film=2
 while [[ $# -gt 0 ]]; do
   case $1 in
     --program) program=$2 ;;
     --into) into=$2 ;;
-    *) echo "gallery.sh: $1: unknown option; there are --program VORPIPE and --into FOLDER" >&2; exit 2 ;;
+    --film) film=$2 ;;
+    *) echo "gallery.sh: $1: unknown option; there are --program VORPIPE, --into FOLDER and --film STEPS" >&2; exit 2 ;;
   esac
   shift 2
 done
@@ -114,7 +117,7 @@ flow shear 100 --particles 1600 --time 0.4 --flow-color speed --size 200
 flow shear-wave 100 --particles 1024 --flow-color speed --size 200
 flow channel 100 --particles 576 --flow-color speed --size 200
 flow dam-break 1000 --particles 1024 --time 0.5 --flow-color speed --size 400
-flow rayleigh-taylor 2 --antialias 2 --size 200x400
+flow rayleigh-taylor "$film" --antialias 2 --size 200x400
 # Without Pillow the film that is there stays.
 if python3 -c 'import PIL' 2>/dev/null; then
   python3 "$root/docs/examples/film.py" "$made/rayleigh-taylor" "$into/mushroom.gif"

@@ -109,7 +109,7 @@ TEST_P(HardPictures, OfPairsAmongManySites) {
 // them.
 TEST_P(HardPictures, OfCellsThatReachFar) {
   for (const auto method : {Search::grid, Search::flann}) {
-    auto options = pictureOf(unit, 3000, 3000);
+    auto options = pictureOf(unit, 3000, 300);
     options.search.method = method;
     const auto far = expectRight(scattered(unit, 5), options).report;
     EXPECT_TRUE(isCpu() || far.in_double == 5) << far.in_double;

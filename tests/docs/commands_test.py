@@ -34,7 +34,7 @@ INSTALLS = 'it installs'
 WINDOW = 'it opens a window; the test view plays the like of it'
 NOT_RUN = {
     './run fluid --case rayleigh-taylor --frames mushroom-frames --every 2 --antialias 2 --size 200x400':
-        'it takes 20 s; the test docs_gallery does',
+        'it takes 20 s; the test docs_gallery does, with fewer pictures',
     'python3 docs/examples/film.py mushroom-frames mushroom.gif': 'it needs Pillow; docs/gallery.sh does where that is',
     'python3 tests/faults/campaign.py build/dev/src/cli/vorpipe --moments 200': 'it takes an hour; the test faults does',
     'python3 tests/faults/memory.py build/dev/src/cli/vorpipe build/dev/tests/faults/librefusals.so --moments 200':

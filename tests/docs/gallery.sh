@@ -1,13 +1,14 @@
 #!/usr/bin/env bash
 # Whether the pictures of docs/gallery are what docs/gallery.sh draws: gallery.sh VORPIPE. Pixels are compared, not
-# bytes, and what streams of a PDF hold, because another zlib packs them in another way.
+# bytes, and what streams of a PDF hold, because another zlib packs them in another way. Of the film the last picture is
+# compared, which is the same with fewer before it.
 set -u
 vorpipe=$(realpath "$1") || exit 1
 root=$(cd -P "$(dirname "${BASH_SOURCE[0]}")/../.." && pwd)
 drawn=$(mktemp -d) || exit 1
 trap 'rm -rf "$drawn"' EXIT
 
-"$root/docs/gallery.sh" --program "$vorpipe" --into "$drawn" >/dev/null || {
+"$root/docs/gallery.sh" --program "$vorpipe" --into "$drawn" --film 40 >/dev/null || {
   echo "FAILED: docs/gallery.sh ends with $?" >&2
   exit 1
 }

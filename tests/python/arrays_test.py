@@ -77,12 +77,12 @@ def test_arrays_outlive_the_diagram(random):
 
 def test_a_result_goes_with_its_last_array():
     held = memory()
-    arrays = [vorpipe.cells(vorpipe.generate('random', 200_000, seed), detail='polygons').areas for seed in range(3)]
+    arrays = [vorpipe.cells(vorpipe.generate('random', 50_000, seed), detail='polygons').areas for seed in range(3)]
     del arrays
     gc.collect()
     for seed in range(10):
-        vorpipe.cells(vorpipe.generate('random', 200_000, seed), detail='polygons')
-    assert memory() - held < 500e6
+        vorpipe.cells(vorpipe.generate('random', 50_000, seed), detail='polygons')
+    assert memory() - held < 125e6
 
 
 def memory():

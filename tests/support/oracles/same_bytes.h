@@ -12,29 +12,47 @@
 namespace vorpipe::test {
 
 template <class T>
-void expectSameBytes(const std::vector<T>& a, const std::vector<T>& b, std::string_view what) {
-  ASSERT_EQ(a.size(), b.size()) << what;
+bool haveSameBytes(const std::vector<T>& a, const std::vector<T>& b) {
   // An empty vector has no place in memory to compare.
-  EXPECT_TRUE(a.empty() || std::memcmp(a.data(), b.data(), a.size() * sizeof(T)) == 0) << what;
+  return a.size() == b.size() && (a.empty() || std::memcmp(a.data(), b.data(), a.size() * sizeof(T)) == 0);
 }
 
-/// Everything in a diagram but its report.
+template <class T>
+void expectSameBytes(const std::vector<T>& a, const std::vector<T>& b, std::string_view what) {
+  ASSERT_EQ(a.size(), b.size()) << what;
+  EXPECT_TRUE(haveSameBytes(a, b)) << what;
+}
+
+/// Calls `each` with two vectors and a name for everything in a diagram but its report.
+template <class Each>
+void forBoth(const Diagram& a, const Diagram& b, const Each& each) {
+  each(a.status, b.status, "status");
+  each(a.owner, b.owner, "owner");
+  each(a.area, b.area, "area");
+  each(a.perimeter, b.perimeter, "perimeter");
+  each(a.centroid, b.centroid, "centroid");
+  each(a.second_moments, b.second_moments, "second moments");
+  each(a.cell_offsets, b.cell_offsets, "cell offsets");
+  each(a.vertices, b.vertices, "vertices");
+  each(a.neighbors, b.neighbors, "neighbors");
+  each(a.edge_lengths, b.edge_lengths, "edge lengths");
+  each(a.neighbor_shifts, b.neighbor_shifts, "neighbor shifts");
+  each(a.ring_starts, b.ring_starts, "ring starts");
+  each(a.mass, b.mass, "mass");
+  each(a.mass_centroid, b.mass_centroid, "mass centroid");
+  each(a.triangles, b.triangles, "triangles");
+}
+
 inline void expectSameBytes(const Diagram& a, const Diagram& b) {
-  expectSameBytes(a.status, b.status, "status");
-  expectSameBytes(a.owner, b.owner, "owner");
-  expectSameBytes(a.area, b.area, "area");
-  expectSameBytes(a.perimeter, b.perimeter, "perimeter");
-  expectSameBytes(a.centroid, b.centroid, "centroid");
-  expectSameBytes(a.second_moments, b.second_moments, "second moments");
-  expectSameBytes(a.cell_offsets, b.cell_offsets, "cell offsets");
-  expectSameBytes(a.vertices, b.vertices, "vertices");
-  expectSameBytes(a.neighbors, b.neighbors, "neighbors");
-  expectSameBytes(a.edge_lengths, b.edge_lengths, "edge lengths");
-  expectSameBytes(a.neighbor_shifts, b.neighbor_shifts, "neighbor shifts");
-  expectSameBytes(a.ring_starts, b.ring_starts, "ring starts");
-  expectSameBytes(a.mass, b.mass, "mass");
-  expectSameBytes(a.mass_centroid, b.mass_centroid, "mass centroid");
-  expectSameBytes(a.triangles, b.triangles, "triangles");
+  forBoth(a, b,
+          [](const auto& of_a, const auto& of_b, const char* what) { expectSameBytes(of_a, of_b, what); });
+}
+
+inline bool haveSameBytes(const Diagram& a, const Diagram& b) {
+  bool same = true;
+  forBoth(a, b,
+          [&](const auto& of_a, const auto& of_b, const char*) { same = same && haveSameBytes(of_a, of_b); });
+  return same;
 }
 
 }  // namespace vorpipe::test
