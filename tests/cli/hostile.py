@@ -158,7 +158,7 @@ def pictures():
 
     jpeg("bomb.jpg", 0xC0, 65500, 64)
     jpeg("bomb_progressive.jpg", 0xC2, 20000, 64)
-    jpeg("short.jpg", 0xC0, 300, 64)
+    jpeg("short.jpg", 0xC0, 200, 64)
     jpeg("flat.jpg", 0xC2, 800, 100 * 100)
 
 
