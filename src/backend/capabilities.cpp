@@ -41,12 +41,14 @@ Result<void> applyMask(Capabilities& capabilities, const Mask& mask) {
 
 std::vector<std::string> featureNames() {
   std::vector<std::string> names;
+  names.reserve(std::size(known_features));
   for (const NamedFeature& feature : known_features) names.emplace_back(feature.name);
   return names;
 }
 
 std::vector<std::string> limitNames() {
   std::vector<std::string> names;
+  names.reserve(std::size(known_limits));
   for (const NamedLimit& limit : known_limits) names.emplace_back(limit.name);
   return names;
 }

@@ -15,7 +15,7 @@ constexpr double farthest = 1e30;
 
 template <class Real>
 Real roundedDown(double value) {
-  constexpr double largest = static_cast<double>(std::numeric_limits<Real>::max());
+  constexpr auto largest = static_cast<double>(std::numeric_limits<Real>::max());
   return static_cast<Real>(
       std::min(value * (1 - 2 * static_cast<double>(std::numeric_limits<Real>::epsilon())), largest));
 }

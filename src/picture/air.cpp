@@ -33,8 +33,10 @@ class PixelsOfDiscs {
   /// Returns the share of a pixel's places, in as many rows and columns, that lie in the disc.
   [[nodiscard]] double partOf(std::uint32_t site, int row, int column, int places) const {
     int held = 0;
-    for (int k = 0; k < places * places; ++k) {
-      held += holds(site, column + (k % places + 0.5) / places, row + (k / places + 0.5) / places) ? 1 : 0;
+    for (int y = 0; y < places; ++y) {
+      for (int x = 0; x < places; ++x) {
+        held += holds(site, column + (x + 0.5) / places, row + (y + 0.5) / places) ? 1 : 0;
+      }
     }
     return static_cast<double>(held) / (places * places);
   }

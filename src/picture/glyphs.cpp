@@ -159,7 +159,7 @@ constexpr std::string_view marked_letters =
     "G.g.G,g'H^h^    I~i~I-i-IuiuI;i;I.      J^j^K,k,  L'l'L,l,L|l|  "
     "      N'n'N,n,Nvnv      O-o-OuouO\"o\"    R'r'R,r,RvrvS's'S^s^S,s,"
     "SvsvT,t,Tvt|    U~u~U-u-UuuuUouoU\"u\"U;u;W^w^Y^y^Y:Z'z'Z.z.Zvzv  ";
-static_assert(marked_letters.size() == 2 * (0x180 - 0xC0));
+static_assert(marked_letters.size() == std::size_t{0x180 - 0xC0} * 2);
 
 constexpr auto accents = std::to_array<Mark>({
     {'`', true, "2f5c"},
@@ -190,9 +190,9 @@ Letter letterOf(char32_t character) {
   constexpr char32_t first_romanian = 0x218, last_romanian = 0x21B;
   std::string_view parts = "  ";
   if (character >= first_marked[0] && character - first_marked[0] < marked_letters.size() / 2) {
-    parts = marked_letters.substr(2 * (character - first_marked[0]), 2);
+    parts = marked_letters.substr(std::size_t{character - first_marked[0]} * 2, 2);
   } else if (character >= first_romanian && character <= last_romanian) {
-    parts = std::string_view("S,s,T,t,").substr(2 * (character - first_romanian), 2);
+    parts = std::string_view("S,s,T,t,").substr(std::size_t{character - first_romanian} * 2, 2);
   }
   if (parts == "  ") return {nullptr};
   const auto base = static_cast<unsigned char>(parts[0]);

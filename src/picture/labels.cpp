@@ -50,7 +50,7 @@ Room roomOf(const Cell& cell, Point by, const PicturePlaces& places) {
     for (const Point vertex : rings[r]) {
       room.points.push_back(places.pixelOf({vertex.x + by.x, vertex.y + by.y}));
     }
-    room.offsets.push_back(room.points.size());
+    room.offsets.push_back(rings.end(r) - rings.begin(0));
   }
   return room;
 }

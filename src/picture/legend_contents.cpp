@@ -61,10 +61,10 @@ void addBar(Legend& legend, const LegendBox& bar, const Palette& palette, bool e
   const int steps = equal ? 1 : std::min(static_cast<int>(palette.size()), height);
   const double bottom = bar.top + bar.height;
   for (int k = 0; k < steps; ++k) {
-    const double from = height * k / steps, to = height * std::min(k + 2, steps) / steps;
+    const int from = height * k / steps, to = height * std::min(k + 2, steps) / steps;
     const int color = steps > 1 ? (2 * last * k + steps - 1) / (2 * (steps - 1)) : (last + 1) / 2;
-    legend.boxes.push_back(
-        {bar.left, bottom - to, bar.width, to - from, palette[static_cast<std::size_t>(color)]});
+    legend.boxes.push_back({bar.left, bottom - to, bar.width, static_cast<double>(to - from),
+                            palette[static_cast<std::size_t>(color)]});
   }
 }
 
@@ -179,14 +179,15 @@ void addContents(Legend& legend, const LegendContents& contents, const LegendSpo
     next += bar.height + rows_gap * unit;
   }
   for (const LegendRow& row : contents.rows) {
+    constexpr int to_baseline = (swatch_height + letter_units) / 2;
     const double height = swatch_height * unit;
     if (row.rgba) {
       legend.boxes.push_back(
           {bar.left - line, next - line, bar.width + 2 * line, height + 2 * line, line_color});
       legend.boxes.push_back({bar.left, next, bar.width, height, *row.rgba});
     }
-    legend.texts.push_back({right + label_gap * unit, next + (swatch_height + letter_units) / 2 * unit,
-                            text_height, Anchor::start, row.text, spot.ink});
+    legend.texts.push_back({right + label_gap * unit, next + to_baseline * unit, text_height, Anchor::start,
+                            row.text, spot.ink});
     next += row_height * unit;
   }
 }

@@ -27,8 +27,11 @@ std::vector<std::string> linesOf(std::string_view text, int most) {
     const std::size_t end = std::min(text.find(' '), text.size());
     const std::string word = shortened(std::string(text.substr(0, end)), most);
     text.remove_prefix(std::min(end + 1, text.size()));
-    if (!line.empty() && unitsOf(line + ' ' + word) > most) lines.push_back(std::exchange(line, {}));
-    line += line.empty() ? word : ' ' + word;
+    if (!line.empty() && unitsOf(fmt::format("{} {}", line, word)) > most) {
+      lines.push_back(std::exchange(line, {}));
+    }
+    if (!line.empty()) line += ' ';
+    line += word;
   }
   if (!line.empty()) lines.push_back(std::move(line));
   return lines;

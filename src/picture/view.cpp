@@ -2,7 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <ranges>
+#include <numeric>
 #include <string>
 #include <utility>
 
@@ -23,13 +23,27 @@ struct Steps {
   int first = 0, count = 0;
 };
 
+/// Returns the first of `count` steps for which `is` holds, as it does from there to the end; else `count`.
+template <typename Is>
+int firstThat(int count, const Is& is) {
+  int low = 0, high = count;
+  while (low < high) {
+    const int middle = std::midpoint(low, high);
+    if (is(middle)) {
+      high = middle;
+    } else {
+      low = middle + 1;
+    }
+  }
+  return low;
+}
+
 /// Returns the pixels along an axis whose centers lie between `low` and `high`, both relative to the first
 /// pixel's start. There are `count` pixels with the total length `length`.
 Steps centersBetween(double low, double high, double length, int count) {
   const auto centerOf = [&](int step) { return (step + 0.5) / count * length; };
-  const auto steps = std::views::iota(0, count);
-  const int first = *std::ranges::partition_point(steps, [&](int step) { return !(centerOf(step) >= low); });
-  const int end = *std::ranges::partition_point(steps, [&](int step) { return !(centerOf(step) > high); });
+  const int first = firstThat(count, [&](int step) { return centerOf(step) >= low; });
+  const int end = firstThat(count, [&](int step) { return centerOf(step) > high; });
   return {first, std::max(0, end - first)};
 }
 
@@ -71,7 +85,8 @@ DotSize dotSizeOf(double size, double spacing, PictureSize picture) {
     // Large pictures are viewed from farther away.
     constexpr double part_of_spacing = 0.12, least = 0.5, usual = 5;
     constexpr int sides = 200;
-    const double most = std::max<double>(usual, std::max(picture.width, picture.height) / sides);
+    const int part_of_side = std::max(picture.width, picture.height) / sides;
+    const double most = std::max<double>(usual, part_of_side);
     radius = std::clamp(part_of_spacing * spacing, least, most);
   }
   // A rim around a smaller dot would leave little of it.

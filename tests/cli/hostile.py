@@ -48,7 +48,7 @@ def array(shape, data=b"", kind="'<f8'", fortran=False):
 
 
 def texts():
-    for kind in "csv tsv txt npy npz geojson geojsonl wkt gpkg png csv.gz".split():
+    for kind in "csv tsv txt npy npz geojson geojsonl wkt gpkg png jpg csv.gz".split():
         write("noise." + kind, noise)
     write("thousands.csv", 'x,y\n"1,234.5",2\n"2,345.5",3\n')
     write("blanks.csv", "x,y\n1 234.5,2\n3,3\n")
@@ -145,6 +145,21 @@ def pictures():
     png("short.png", 100, 8, 0, b"\0" * 50)
     text = b"".join(chunk(b"zTXt", b"k\0\0" + zlib.compress(b"a" * 7_000_000, 9)) for _ in range(20))
     png("text.png", 4, 8, 0, b"\0\x10\x80\xff\x7f" * 4, 0, text)
+
+    def jpeg(name, frame, side, bits):
+        """Gray and flat: a code of one bit says that a block goes on like the one before it."""
+        def segment(kind, content):
+            return b"\xff" + bytes([kind]) + struct.pack(">H", len(content) + 2) + content
+        code = b"\1" + bytes(15) + b"\0"
+        tables = segment(0xDB, b"\0" + b"\1" * 64) + segment(0xC4, b"\0" + code + b"\x10" + code)
+        scan = segment(0xDA, bytes([1, 1, 0, 0, 63 if frame == 0xC0 else 0, 0]))
+        write(name, b"\xff\xd8" + tables + segment(frame, struct.pack(">BHHBBBB", 8, side, side, 1, 1, 0x11, 0))
+              + scan + bytes(bits // 8) + b"\xff\xd9")
+
+    jpeg("bomb.jpg", 0xC0, 65500, 64)
+    jpeg("bomb_progressive.jpg", 0xC2, 20000, 64)
+    jpeg("short.jpg", 0xC0, 200, 64)
+    jpeg("flat.jpg", 0xC2, 800, 100 * 100)
 
 
 def geopackages():

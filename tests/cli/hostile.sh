@@ -150,11 +150,18 @@ bad_checkpoint tolerance.npz "tolerance: inf is not"
 for file in bomb bomb16 interlaced; do bad_as --density $file.png "cannot hold 65535 x 65535 pixels"; done
 bad_as --density short.png "is a damaged PNG"
 bad_as --density noise.png "is not a PNG file"
-name="text in a picture is passed over"
-cases=$((cases + 1))
-within 60000 cells --quiet --backend cpu --sites random:9 --density in/text.png -o out/cells.csv
-[ "$code" -eq 0 ] || fail "exit code $code, not 0"
-rm -f out/cells.csv
+bad_as --density bomb.jpg "cannot hold 65500 x 65500 pixels"
+bad_as --density bomb_progressive.jpg "cannot hold 20000 x 20000 pixels"
+bad_as --density short.jpg "is a damaged JPEG"
+bad_as --density noise.jpg "is not a JPEG file"
+# text.png: text is passed over; flat.jpg: as many pixels as its bytes hold at best.
+for file in text.png flat.jpg; do
+  name=$file
+  cases=$((cases + 1))
+  within 60000 cells --quiet --backend cpu --sites random:9 --density in/$file -o out/cells.csv
+  [ "$code" -eq 0 ] || fail "exit code $code, not 0"
+  rm -f out/cells.csv
+done
 
 # -- Databases -----------------------------------------------------------------------------------------------
 bad cut.gpkg "cannot be read"

@@ -7,6 +7,7 @@
 
 #include "cli/stats.h"
 #include "io/cells/fluid_state.h"
+#include "io/pictures/jpeg_file.h"
 #include "io/pictures/npy_ids.h"
 #include "io/pictures/png_file.h"
 #include "io/sites/density_file.h"
@@ -56,6 +57,11 @@ void requirePixels(std::size_t pixels, int width, int height) {
           "each pixel is there");
 }
 
+void requirePicture(const Result<Image>& image, const std::string& path) {
+  if (!image) return requireTold(image.error(), path);
+  requirePixels(image->rgba.size(), image->width, image->height);
+}
+
 void fuzzDensity(std::string_view bytes, std::string_view extension) {
   const std::string& path = fileOf(extension, bytes);
   const auto density = readDensity(path);
@@ -75,9 +81,13 @@ void fuzzDensityNpy(std::string_view bytes) { fuzzDensity(bytes, "npy"); }
 void fuzzPng(std::string_view bytes) {
   fuzzDensity(bytes, "png");
   const std::string& path = fileOf("png", bytes);
-  const auto image = readPng(path);
-  if (!image) return requireTold(image.error(), path);
-  requirePixels(image->rgba.size(), image->width, image->height);
+  requirePicture(readPng(path), path);
+}
+
+void fuzzJpeg(std::string_view bytes) {
+  fuzzDensity(bytes, "jpg");
+  const std::string& path = fileOf("jpg", bytes);
+  requirePicture(readJpeg(path), path);
 }
 
 void fuzzIds(std::string_view bytes) {

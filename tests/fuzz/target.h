@@ -48,6 +48,7 @@ void fuzzOutlineGeoJson(std::string_view bytes);
 void fuzzOutlineWkt(std::string_view bytes);
 void fuzzDensityNpy(std::string_view bytes);
 void fuzzPng(std::string_view bytes);
+void fuzzJpeg(std::string_view bytes);
 void fuzzIds(std::string_view bytes);
 void fuzzCheckpoint(std::string_view bytes);
 void fuzzRecordedRun(std::string_view bytes);

@@ -11,7 +11,7 @@ namespace {
 
 constexpr std::size_t small = 512, usual = 4096, large = 16384;
 
-constexpr std::array<Target, 22> all = {{{"csv", fuzzCsv, usual, "text"},
+constexpr std::array<Target, 23> all = {{{"csv", fuzzCsv, usual, "text"},
                                          {"text", fuzzText, usual, "text"},
                                          {"npy", fuzzNpy, usual, "binary"},
                                          {"geojson", fuzzGeoJson, usual, "json"},
@@ -25,6 +25,7 @@ constexpr std::array<Target, 22> all = {{{"csv", fuzzCsv, usual, "text"},
                                          {"outline_wkt", fuzzOutlineWkt, usual, "text"},
                                          {"density_npy", fuzzDensityNpy, usual, "binary"},
                                          {"png", fuzzPng, usual, "binary"},
+                                         {"jpeg", fuzzJpeg, usual, "binary"},
                                          {"ids", fuzzIds, usual, "binary"},
                                          {"checkpoint", fuzzCheckpoint, large, "binary"},
                                          {"stats", fuzzRecordedRun, usual, "json"},

@@ -35,7 +35,8 @@ CellStatus clipNeighborhood(const CellBatch<double>& batch, const CellBatch<doub
   using Clip = Clipper<double, Edges>;
   Clip clipper{batch.lines.data()};
   // A cut adds at most one edge to the four of the domain.
-  clipper.used_edges = static_cast<int>(std::min<std::size_t>(Edges, (entry.count + 4 + 3) / 4 * 4));
+  clipper.used_edges =
+      static_cast<int>(std::min<std::size_t>(Edges, (std::size_t{entry.count} + 4 + 3) / 4 * 4));
   const auto cell = std::make_unique_for_overwrite<typename Clip::Cell>();
   auto status = clipper.clip(*cell, entry, {0, 0});
   if (status == CellStatus::open && clipper.hasClosedShape(*cell)) status = CellStatus::certified;

@@ -134,7 +134,8 @@ struct TreeBuilder {
     if (tree.isLeaf(node) || range.end - range.begin <= sampled_sites) {
       for (auto p = range.begin; p < range.end; ++p) include(box, sites[p].x - box.x, sites[p].y - box.y);
     } else {
-      for (const auto& child : {tree.bounds[2 * node], tree.bounds[2 * node + 1]}) {
+      const std::size_t first = std::size_t{node} * 2;
+      for (const auto& child : {tree.bounds[first], tree.bounds[first + 1]}) {
         for (const double a : {child.low_a, child.high_a}) {
           for (const double b : {child.low_b, child.high_b}) {
             include(box, child.x - box.x + child.ux * a - child.uy * b,
@@ -149,8 +150,10 @@ struct TreeBuilder {
   }
 
   [[nodiscard]] double heaviestOf(std::uint32_t node, SiteTree::Range range) const {
-    if (!tree.isLeaf(node))
-      return std::max(tree.bounds[2 * node].heaviest, tree.bounds[2 * node + 1].heaviest);
+    if (!tree.isLeaf(node)) {
+      const std::size_t first = std::size_t{node} * 2;
+      return std::max(tree.bounds[first].heaviest, tree.bounds[first + 1].heaviest);
+    }
     auto heaviest = weight[sites[range.begin].site];
     for (auto p = range.begin; p < range.end; ++p) heaviest = std::max(heaviest, weight[sites[p].site]);
     return heaviest;

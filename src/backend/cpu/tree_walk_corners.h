@@ -231,8 +231,8 @@ constexpr double most_blur = 16;
 template <class Real, std::size_t Room>
 struct TreeWalk<Real, Room>::Seen {
   Real x, y, ux, uy, low_a, high_a, low_b, high_b;
-  Real lift;  ///< by how much the heaviest site is heavier than the cell's own, rounded up
-  Real root;  ///< twice the square root of that, where it is positive
+  Real lift{};  ///< by how much the heaviest site is heavier than the cell's own, rounded up
+  Real root{};  ///< twice the square root of that, where it is positive
 
   Seen(const TreeWalk& walk, const Bounds& bounds)
       : x(differenceOf<Real>(bounds.x, walk.site_x_)),
@@ -242,9 +242,7 @@ struct TreeWalk<Real, Room>::Seen {
         low_a(bounds.low_a),
         high_a(bounds.high_a),
         low_b(bounds.low_b),
-        high_b(bounds.high_b),
-        lift{},
-        root{} {
+        high_b(bounds.high_b) {
     if (!walk.hasWeights()) return;
     const Real heavier = -walk.weightDifference(bounds.heaviest);
     lift = heavier + Real(box_rounding) * abs(heavier);

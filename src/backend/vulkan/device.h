@@ -76,7 +76,7 @@ struct Semaphores {
 class Device {
  public:
   /// Opens a usable device with exactly the features that the pipelines need, and with these extensions.
-  static Result<Device> open(const Physical& physical, std::span<const char* const> extensions = {});
+  static Result<Device> open(const Physical& physical, std::span<const char* const> wanted = {});
   Device(Device&& other) noexcept;
   Device& operator=(Device&&) = delete;
   ~Device();

@@ -265,7 +265,7 @@ std::uint64_t largestView(const Capabilities& capabilities) {
   constexpr std::uint64_t most = 4096;
   // Drivers round the sides of images up to less than that.
   constexpr std::uint64_t step = 64;
-  const double pixels = static_cast<double>(mostOf(capabilities, pixel_bytes, planes * pixel_bytes));
+  const auto pixels = static_cast<double>(mostOf(capabilities, pixel_bytes, planes * pixel_bytes));
   const auto side = static_cast<std::uint64_t>(std::sqrt(pixels));
   return std::min({most, capabilities.max_framebuffer_width, capabilities.max_framebuffer_height,
                    capabilities.max_image_dimension_2d, side > step ? side / step * step : side});

@@ -167,6 +167,23 @@ Image turned(Image stored, int orientation) {
   return image;
 }
 
+/// Refuses more pixels than the file's bytes can hold or than fit into memory.
+Result<void> checkPixels(jpeg_decompress_struct& jpeg, const std::string& path, std::size_t bytes) {
+  // Each block of 8 x 8 takes a bit at least.
+  constexpr std::size_t pixels_per_byte = 512;
+  const std::size_t width = jpeg.image_width, height = jpeg.image_height;
+  if (width * height / pixels_per_byte > bytes) {
+    return inputError(fmt::format("{}: is a damaged JPEG: {} bytes cannot hold {} x {} pixels", path, bytes,
+                                  width, height));
+  }
+  // Once as they are stored, and once turned; libjpeg keeps what several scans add up to.
+  std::size_t of_pixel = 2 * sizeof(std::uint32_t);
+  if (jpeg_has_multiple_scans(&jpeg) != 0) {
+    of_pixel += sizeof(JCOEF) * static_cast<std::size_t>(jpeg.num_components);
+  }
+  return checkRoom(path, "pixels", of_pixel * width * height);
+}
+
 Result<Image> decode(const std::string& path, std::string_view bytes) {
   constexpr std::string_view signature = "\xFF\xD8\xFF";
   constexpr std::size_t channels = 4;
@@ -177,9 +194,8 @@ Result<Image> decode(const std::string& path, std::string_view bytes) {
   };
   if (!decodeHeader(decoder, reinterpret_cast<const unsigned char*>(bytes.data()), bytes.size()))
     return damaged();
+  VORPIPE_TRY(checkPixels(decoder.jpeg, path, bytes.size()));
   const std::size_t width = decoder.jpeg.image_width, height = decoder.jpeg.image_height;
-  // Once as they are stored, and once turned.
-  VORPIPE_TRY(checkRoom(path, "pixels", 2 * sizeof(std::uint32_t) * width * height));
   Image image{static_cast<int>(width), static_cast<int>(height), {}, {}};
   image.rgba.resize(width * height);
   std::vector<unsigned char> line(channels * width);

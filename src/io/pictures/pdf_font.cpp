@@ -59,7 +59,7 @@ std::map<char32_t, std::uint16_t> glyphsIn(const FontTable& cmap) {
     const std::size_t offset = table.word(offsets + k);
     for (std::uint32_t letter = begin; letter <= end && letter < 0xFFFF; ++letter) {
       const std::uint32_t found =
-          offset == 0 ? letter : table.word(offsets + k + offset + 2 * (letter - begin));
+          offset == 0 ? letter : table.word(offsets + k + offset + std::size_t{letter - begin} * 2);
       const auto glyph = static_cast<std::uint16_t>(found == 0 ? 0 : found + table.word(shifts + k));
       if (glyph != 0) glyphs[letter] = glyph;
     }
