@@ -40,7 +40,7 @@ void eachCharacter(std::string_view text, const Use& use) {
   while (!text.empty()) {
     const auto lead = static_cast<unsigned char>(text[0]);
     const std::size_t size = lead < 0x80 ? 1 : lead >= 0xF0 ? 4 : lead >= 0xE0 ? 3 : 2;
-    char32_t character = size == 1 ? lead : lead & (0x7F >> size);
+    char32_t character = size == 1 ? lead : lead & (0x7FU >> size);
     for (std::size_t k = 1; k < size && k < text.size(); ++k) {
       character = character << 6 | (static_cast<unsigned char>(text[k]) & 0x3F);
     }
