@@ -7,20 +7,6 @@
 namespace vorpipe::core::checks {
 namespace {
 
-struct SphereVectors {
-  const std::vector<SpaceVector>& at;
-  [[nodiscard]] std::size_t kdtree_get_point_count() const { return at.size(); }
-  [[nodiscard]] double kdtree_get_pt(std::uint32_t k, std::size_t axis) const { return at[k][axis]; }
-  template <class Bounds>
-  bool kdtree_get_bbox(Bounds&) const {
-    return false;
-  }
-};
-
-using SphereTree = nanoflann::KDTreeSingleIndexAdaptor<
-    nanoflann::L2_Simple_Adaptor<double, SphereVectors, double, std::uint32_t>, SphereVectors, 4,
-    std::uint32_t>;
-
 /// A row of Equal Earth: y and half of its width, of a sphere of radius 1 (Savric, Patterson and Jenny 2018,
 /// equations 8 to 10; the latitude is authalic, as in Snyder 1987, 3-11 and 3-12).
 struct EqualEarthRow {
@@ -55,9 +41,21 @@ double latitudeOf(double y) {
 }  // namespace
 
 struct GlobeSites::Tree {
+  struct Vectors {
+    const std::vector<SpaceVector>& at;
+    [[nodiscard]] std::size_t kdtree_get_point_count() const { return at.size(); }
+    [[nodiscard]] double kdtree_get_pt(std::uint32_t k, std::size_t axis) const { return at[k][axis]; }
+    template <class Bounds>
+    bool kdtree_get_bbox(Bounds&) const {
+      return false;
+    }
+  };
+
   explicit Tree(const std::vector<SpaceVector>& at) : vectors{at}, tree(4, vectors, {16}) {}
-  SphereVectors vectors;
-  SphereTree tree;
+  Vectors vectors;
+  nanoflann::KDTreeSingleIndexAdaptor<nanoflann::L2_Simple_Adaptor<double, Vectors, double, std::uint32_t>,
+                                      Vectors, 4, std::uint32_t>
+      tree;
 };
 
 GlobeSites::GlobeSites(const Sites& sites) : has_weights_(!sites.weight.empty()) {
