@@ -81,7 +81,8 @@ struct Members<CoordinateSystem> {
       named(member("kind", &CoordinateSystem::kind), member("organization", &CoordinateSystem::organization),
             member("code", &CoordinateSystem::code), member("definition", &CoordinateSystem::definition),
             member("equal_area_center", &CoordinateSystem::equal_area_center),
-            member("from_plane_around", &CoordinateSystem::from_plane_around));
+            member("from_plane_around", &CoordinateSystem::from_plane_around),
+            member("on_globe", &CoordinateSystem::on_globe));
 };
 static_assert(has_all_members<CoordinateSystem>());
 
@@ -103,8 +104,9 @@ struct Members<PlacedSites> {
             member("domain", &PlacedSites::domain), member("outline", &PlacedSites::outline),
             member("parts", &PlacedSites::parts), member("periodic", &PlacedSites::periodic),
             member("system", &PlacedSites::system), member("projection", &PlacedSites::projection),
-            member("longitudes", &PlacedSites::longitudes), member("latitudes", &PlacedSites::latitudes),
-            member("degrees", &PlacedSites::degrees), member("notes", &PlacedSites::notes));
+            member("globe", &PlacedSites::globe), member("longitudes", &PlacedSites::longitudes),
+            member("latitudes", &PlacedSites::latitudes), member("degrees", &PlacedSites::degrees),
+            member("notes", &PlacedSites::notes));
 };
 static_assert(has_all_members<PlacedSites>());
 
@@ -207,13 +209,13 @@ template <>
 struct Members<Diagram> {
   static constexpr auto all = named(
       member("status", &Diagram::status), member("owner", &Diagram::owner), member("area", &Diagram::area),
-      member("perimeter", &Diagram::perimeter), member("centroid", &Diagram::centroid),
-      member("second_moments", &Diagram::second_moments), member("cell_offsets", &Diagram::cell_offsets),
-      member("vertices", &Diagram::vertices), member("neighbors", &Diagram::neighbors),
-      member("edge_lengths", &Diagram::edge_lengths), member("neighbor_shifts", &Diagram::neighbor_shifts),
-      member("ring_starts", &Diagram::ring_starts), member("mass", &Diagram::mass),
-      member("mass_centroid", &Diagram::mass_centroid), member("triangles", &Diagram::triangles),
-      member("report", &Diagram::report));
+      member("perimeter", &Diagram::perimeter), member("solid_angle", &Diagram::solid_angle),
+      member("centroid", &Diagram::centroid), member("second_moments", &Diagram::second_moments),
+      member("cell_offsets", &Diagram::cell_offsets), member("vertices", &Diagram::vertices),
+      member("neighbors", &Diagram::neighbors), member("edge_lengths", &Diagram::edge_lengths),
+      member("neighbor_shifts", &Diagram::neighbor_shifts), member("ring_starts", &Diagram::ring_starts),
+      member("mass", &Diagram::mass), member("mass_centroid", &Diagram::mass_centroid),
+      member("triangles", &Diagram::triangles), member("report", &Diagram::report));
 };
 static_assert(has_all_members<Diagram>());
 
@@ -292,7 +294,8 @@ struct Members<RenderOptions> {
             member("paper", &RenderOptions::paper), member("values", &RenderOptions::values),
             member("colors", &RenderOptions::colors), member("texts", &RenderOptions::texts),
             member("title", &RenderOptions::title), member("legend_title", &RenderOptions::legend_title),
-            member("legend_beside", &RenderOptions::legend_beside), member("legend_factor", &RenderOptions::legend_factor), member("globe", &RenderOptions::globe),
+            member("legend_beside", &RenderOptions::legend_beside),
+            member("legend_factor", &RenderOptions::legend_factor), member("globe", &RenderOptions::globe),
             member("map", &RenderOptions::map), member("view_from", &RenderOptions::view_from)),
       membersOf(picture_rows));
 };
