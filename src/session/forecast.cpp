@@ -183,7 +183,7 @@ namespace {
 Array planGlobePicture(MemoryPlan& plan, const Workload& work, const RenderOptions& options) {
   const auto start = plan.next();
   planCells(plan, work, marksDetail(options));
-  constexpr std::uint64_t walked_site = 50, lines_of_site = 180, samples_at_once = std::uint64_t{1} << 22;
+  constexpr std::uint64_t walked_site = 70, lines_of_site = 220, samples_at_once = std::uint64_t{1} << 22;
   plan.take("colors and statuses", work.sites * walked_site);
   if (options.dual || (options.edges && options.antialias > 1))
     plan.take("lines and labels", work.sites * lines_of_site);
