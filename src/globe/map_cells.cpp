@@ -1,5 +1,4 @@
 #include <algorithm>
-#include <iterator>
 #include <limits>
 #include <utility>
 
@@ -48,6 +47,11 @@ void addRings(const std::vector<std::vector<Point>>& rings, std::size_t site, Di
   diagram.cell_offsets.push_back(diagram.vertices.size());
 }
 
+void append(std::span<const Point> line, MapLines& lines) {
+  lines.points.insert(lines.points.end(), line.begin(), line.end());
+  lines.ends.push_back(lines.points.size());
+}
+
 /// Draws an arc for each edge between cells; `arcOfEdge` makes it of a cell and its edge.
 template <class Draw>
 MapLines linesBetween(const Diagram& diagram, int threads, const Draw& arcOfEdge, const SphereMap& map) {
@@ -58,13 +62,15 @@ MapLines linesBetween(const Diagram& diagram, int threads, const Draw& arcOfEdge
       const auto neighbors = diagram.cell(i).neighbors();
       for (std::size_t k = 0; k < neighbors.size(); ++k) {
         if (static_cast<std::size_t>(neighbors[k]) < i) continue;
-        auto more = linesOf(map, arcOfEdge(i, k));
-        std::ranges::move(more, std::back_inserter(lines));
+        for (const auto& line : linesOf(map, arcOfEdge(i, k))) append(line, lines);
       }
     }
   });
   MapLines all;
-  for (MapLines& lines : of_part) std::ranges::move(lines, std::back_inserter(all));
+  for (MapLines& lines : of_part) {
+    for (std::size_t k = 0; k < lines.size(); ++k) append(lines[k], all);
+    lines = {};
+  }
   return all;
 }
 
@@ -116,7 +122,10 @@ MapCells cellsOnMap(const Sites& sites, const Diagram& diagram, const RenderOpti
   flat.area.resize(sites.size());
   flat.centroid.resize(sites.size());
   flat.cell_offsets.push_back(0);
-  for (std::size_t i = 0; i < sites.size(); ++i) addRings(rings[i], i, flat);
+  for (std::size_t i = 0; i < sites.size(); ++i) {
+    addRings(rings[i], i, flat);
+    rings[i] = {};
+  }
   flat.neighbors.assign(flat.vertices.size(), static_cast<std::int64_t>(Wall::outline));
   return cells;
 }

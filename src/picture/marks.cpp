@@ -63,7 +63,8 @@ std::vector<Line> outlineLines(const RenderOptions& options) {
 std::vector<Line> piecesOf(const MapLines& lines, const RenderOptions& options) {
   const PicturePlaces places(options);
   std::vector<Line> pieces;
-  for (const auto& line : lines) {
+  for (std::size_t i = 0; i < lines.size(); ++i) {
+    const auto line = lines[i];
     for (std::size_t k = 0; k + 1 < line.size(); ++k)
       pieces.push_back({places.pixelOf(line[k]), places.pixelOf(line[k + 1])});
   }

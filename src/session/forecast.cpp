@@ -56,6 +56,7 @@ std::uint64_t heapOf(const Workload& work) {
 
 /// Bytes per site or image at the peak of Session::cells, besides a device.
 std::uint64_t peakOfCells(const Workload& work, Detail detail) {
+  if (work.globe) return (detail == Detail::measures ? 480u : 615u) + (work.weighted ? 65u : 0u);
   if (work.periodic) return work.outlined ? 700 : work.weighted ? 560 : 535;
   if (work.outlined) return detail == Detail::everything ? 660 : 635;
   constexpr std::uint64_t measures = 290, polygons = 400, everything = 495;
@@ -144,6 +145,7 @@ Result<Workload> workloadOf(const Sites& sites, const CellsOptions& options, Ima
   work.weighted = !sites.weight.empty();
   work.outlined = !options.outline.empty();
   work.periodic = options.periodic != Periodic::none;
+  work.globe = options.globe;
   work.density_pixels = options.density.values.size();
   work.backend = device.backend;
   work.device_on_host = device.type == "cpu";
@@ -168,7 +170,7 @@ void planSession(MemoryPlan& plan, const Workload& work) {
 Array planCells(MemoryPlan& plan, const Workload& work, Detail detail) {
   const BackendMemory& memory = memoryOf(work);
   const auto start = plan.next();
-  if (work.device_on_host) {
+  if (work.device_on_host && !work.globe) {
     plan.take("sites on the device", allSites(work) * (work.weighted ? memory.weighted_site : memory.site));
   }
   const bool massive = work.density_pixels > 0;
@@ -178,7 +180,30 @@ Array planCells(MemoryPlan& plan, const Workload& work, Detail detail) {
   return plan.take("cells", work.sites * bytesOfCells(detail, massive));
 }
 
+namespace {
+
+/// A picture of the globe: its cells, what the walk over them needs, and samples of some rows.
+Array planGlobePicture(MemoryPlan& plan, const Workload& work, const RenderOptions& options) {
+  const auto start = plan.next();
+  planCells(plan, work, marksDetail(options));
+  constexpr std::uint64_t walked_site = 70, lines_of_site = 220, samples_at_once = std::uint64_t{1} << 22;
+  plan.take("colors and statuses", work.sites * walked_site);
+  if (options.dual || (options.edges && options.antialias > 1))
+    plan.take("lines and labels", work.sites * lines_of_site);
+  planMarks(plan, work, options);
+  const auto in_pixel = static_cast<std::uint64_t>(options.antialias * options.antialias);
+  if (in_pixel > 1)
+    plan.take("samples", 2 * word_size * std::min(samples_at_once, in_pixel * imagePixels(options)));
+  const auto image =
+      plan.take("the picture", imagePixels(options) * 2 * word_size + work.sites * (word_size + 1));
+  plan.dropSince(start, {image});
+  return image;
+}
+
+}  // namespace
+
 Array planPicture(MemoryPlan& plan, const Workload& work, const RenderOptions& options) {
+  if (work.globe) return planGlobePicture(plan, work, options);
   const bool known = imagesFor(options.color) == ImagesFor::cells || work.weighted || work.outlined;
   const BackendMemory& memory = memoryOf(work);
   const auto start = plan.next();

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <span>
 #include <vector>
 
 #include "vorpipe/cells.h"
@@ -17,13 +18,23 @@ namespace vorpipe {
 /// again. Errors (input): those of mendedToPlane(); the outline goes around the Earth on all sides.
 Result<MendedOutline> mendedOnGlobe(const Outline& degrees, bool repair);
 
-/// The polygons of a cell on the globe, in degrees. A cell is cut at longitude 180, and a ring around a pole follows it, as RFC 7946 asks (3.1.9).
-/// Edges are great circles, with points in between: two fifths of a degree apart or less, so many that straight lines
-/// of longitude and latitude are within 1e-5 of the Earth's radius. None for a site without a cell.
+/// The polygons of a cell on the globe, in degrees. A cell is cut at longitude 180, and a ring around a pole
+/// follows it, as RFC 7946 asks (3.1.9). Edges are great circles, with points in between: two fifths of a
+/// degree apart or less, so many that straight lines of longitude and latitude are within 1e-5 of the Earth's
+/// radius. None for a site without a cell.
 Outline globePolygons(const Sites& sites, const Diagram& diagram, std::size_t site);
 
 /// Lines on the map of a picture of the globe, in the map's unit.
-using MapLines = std::vector<std::vector<Point>>;
+struct MapLines {
+  std::vector<Point> points;
+  std::vector<std::size_t> ends;  ///< by line: where its points end
+
+  [[nodiscard]] std::size_t size() const { return ends.size(); }
+  [[nodiscard]] std::span<const Point> operator[](std::size_t line) const {
+    const std::size_t begin = line > 0 ? ends[line - 1] : 0;
+    return std::span(points).subspan(begin, ends[line] - begin);
+  }
+};
 
 /// Cells on the map of a picture of the globe: a picture of a plane.
 struct MapCells {

@@ -56,6 +56,10 @@ measures 70 "cpu, a density in an outline" cells --backend cpu --sites random:$n
 measures 70 "cpu, a density, periodic" cells --backend cpu --sites random:$n --periodic xy --density in/density.png -o out/cells.npz
 awk -v n=$n 'BEGIN { srand(7); print "x,y"; for (i = 0; i < n; ++i) printf "%.9f,%.9f\n", rand(), rand() }' >in/sites.csv
 measures 70 "cpu, sites from a file" cells --backend cpu --sites in/sites.csv
+measures 70 "cpu, a picture of the globe" render --globe --backend cpu --sites random:$n --size 1000 --color area -o out/picture.png
+measures 70 "cpu, smooth edges on the globe" render --globe --backend cpu --sites random:$n --size 1000 --edges --antialias 4 \
+  -o out/picture.png
+measures 70 "cpu, shapes of the globe" render --globe --backend cpu --sites random:$n --map equal-earth --edges -o out/picture.svg
 # How many cells a driver draws at a time follows from how fast it is, and its memory from that: on a machine that is
 # busy, a third less than planned.
 for backend in $backends; do

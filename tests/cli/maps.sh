@@ -305,7 +305,11 @@ assert list(rows[name].drop_duplicates()) == list(features[name]), "the order of
 around = shapely.geometry.box(*features.total_bounds).buffer(whole.sum() ** 0.5 * 20)
 places = [shapely.geometry.Point(at) for at in zip(points.x, points.y)]
 cells = list(shapely.ops.voronoi_diagram(shapely.geometry.MultiPoint(places), around).geoms)
-cells = [next(cell for cell in cells if cell.contains(place)) for place in places]
+low_x, low_y, high_x, high_y = numpy.array([cell.bounds for cell in cells]).T
+def around_place(place):
+    near = numpy.flatnonzero((low_x <= place.x) & (place.x <= high_x) & (low_y <= place.y) & (place.y <= high_y))
+    return next(cells[k] for k in near if cells[k].contains(place))
+cells = [around_place(place) for place in places]
 areas = {(feature, site): area for feature, site, area in zip(rows[name], rows.site, rows.area)}
 for feature, shape in zip(features[name], features.geometry):
     for site, cell in enumerate(cells):

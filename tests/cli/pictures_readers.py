@@ -55,13 +55,16 @@ def unfiltered(kind, row, above):
         return np.cumsum(line, 0, dtype=np.uint8)
     if kind == 2:
         return line + above
-    for k in range(1, len(line) if kind > 2 else 0):
-        a, b, c = line[k - 1].astype(int), above[k].astype(int), above[k - 1].astype(int)
-        paeth = np.stack([a, b, c])
-        nearest = np.abs(a + b - c - paeth).argmin(0)
-        guess = (a + b) // 2 if kind == 3 else paeth[nearest, np.arange(len(a))]
-        line[k] = (line[k] + guess) % 256
-    return line
+    if kind == 0:
+        return line
+    # Numbers of Python: each needs the one before it.
+    flat, over, step = line.ravel().tolist(), above.ravel().tolist(), line.shape[1]
+    for k in range(step, len(flat)):
+        a, b, c = flat[k - step], over[k], over[k - step]
+        from_a, from_b, from_c = abs(b - c), abs(a - c), abs(a + b - 2 * c)
+        paeth = a if from_a <= from_b and from_a <= from_c else b if from_b <= from_c else c
+        flat[k] = (flat[k] + ((a + b) // 2 if kind == 3 else paeth)) % 256
+    return np.array(flat, np.uint8).reshape(line.shape)
 
 
 def read_ppm(path):

@@ -170,7 +170,7 @@ def shapes_are_pixels(maps):
     for name, sites in inputs():
         write_sites(sites)
         for options in MAPS:
-            maps.render(*SITES, *options, "--size", "400", "--edges", "--antialias", "4", "--background", "white", "-o", "p.svg",
+            maps.render(*SITES, *options, "--size", "300", "--edges", "--antialias", "4", "--background", "white", "-o", "p.svg",
                         "-o", "p.png")
             subprocess.run(["rsvg-convert", "-o", "q.png", "p.svg"], check=True)
             off = np.abs(maps.read_png("p.png") - maps.read_png("q.png")).max(-1)

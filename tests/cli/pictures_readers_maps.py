@@ -73,11 +73,14 @@ def names_are_colors(maps):
 
 def neighbors_differ(maps):
     for domain in (["--domain", "0,0,1,1"], ["--domain", "0,0,1,1", "--periodic", "xy"]):
-        sites = ["--sites", "random:500", "--random-weights", "0,0.001", *domain]
-        maps.run("cells", *sites, "-o", "c.npz")
-        maps.render(*sites, "--color", "distinct", "--size", "1500", "-o", "p.png", "--ids", "p.npy")
+        which = ["--sites", "random:500", "--random-weights", "0,0.001", *domain]
+        maps.run("cells", *which, "-o", "c.npz")
+        maps.render(*which, "--color", "distinct", "--size", "1500", "-o", "p.png", "--ids", "p.npy")
         cells, ids, png = np.load("c.npz"), np.load("p.npy"), maps.read_png("p.png")
-        color = {int(site): tuple(pixel) for site, pixel in zip(ids.ravel(), png.reshape(-1, 3))}
+        pixels = png.reshape(-1, 3)
+        sites, first, site = np.unique(ids, return_index=True, return_inverse=True)
+        assert np.array_equal(pixels, pixels[first][site.ravel()]), "a cell has several colors"
+        color = {int(site): tuple(pixel) for site, pixel in zip(sites, pixels[first])}
         count = np.diff(cells["cell_offsets"].astype(int))
         pairs = [(a, b) for a, b in zip(np.repeat(np.arange(len(count)), count), cells["neighbors"])
                  if b >= 0 and a != b and a in color and b in color]

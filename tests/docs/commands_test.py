@@ -62,6 +62,7 @@ NOT_RUN = {
     './run bench': 'it takes minutes; the test cli_bench runs each table',
     './run bench all --json all.json --plot all.svg': 'it takes an hour; the test cli_bench runs each table',
     './run selftest --quick': SELFTEST,
+    './run selftest --quick --backend cpu --json selftest.json': 'it is an example of a man page; the test cli_manual runs it',
     './run selftest --quick --json selftest.json': SELFTEST,
     './run selftest --json report.json': SELFTEST,
     './run selftest --backend vulkan-compute --device 0 --seed 7': SELFTEST,

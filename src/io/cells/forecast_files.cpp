@@ -77,6 +77,8 @@ void planShapes(MemoryPlan& plan, const Workload& work, const RenderOptions& opt
   const std::string_view what = "the shapes to write";
   const auto since = plan.next();
   plan.take(what, work.sites * (1 + number_size + sizeof(std::uint32_t)));
+  constexpr std::uint64_t on_map = 680, edges_on_map = 200, buffers = 12'000'000;
+  if (work.globe) plan.take(what, buffers + work.sites * (on_map + (options.edges ? edges_on_map : 0)));
   if (options.show_sites) planGrowing(plan, what, work.sites, sizeof(Point));
   if (options.dual) planGrowing(plan, what, work.sites * mean_edges / 2, sizeof(Line));
   if (options.labels) planGrowing(plan, what, work.sites, sizeof(SiteLabel));

@@ -251,10 +251,10 @@ Result<void> VectorPicture::eachCell(const UseCell& use) const {
 
 Result<void> VectorPicture::eachEdge(const UseLines& use) const {
   Lines lines;
-  for (const auto& line : map_ ? map_->edges : MapLines{}) {
+  for (std::size_t k = 0; map_ && k < map_->edges.size(); ++k) {
     lines.clear();
     lines.begin();
-    for (const Point place : line) lines.add(pixelOf(place));
+    for (const Point place : map_->edges[k]) lines.add(pixelOf(place));
     VORPIPE_TRY(use(lines));
   }
   for (const Cell cell : *diagram_) {
