@@ -114,10 +114,10 @@ std::vector<double> roundNumbersOfLogarithm(double low, double high, bool whole)
   constexpr std::array<double, 3> halves{1, 2, 5};
   constexpr int powers_enough = 3, powers_most = 6;
   const int every = std::max(1, (last - first + powers_most - 1) / powers_most);
-  const auto powers = among(std::span(halves).first(1), every);
-  if (powers.size() >= powers_enough) return powers;
-  const auto mixed = among(halves, 1);
-  return mixed.size() >= 2 ? mixed : roundNumbers(low, high, whole);
+  auto numbers = among(std::span(halves).first(1), every);
+  if (numbers.size() < powers_enough) numbers = among(halves, 1);
+  if (numbers.size() < 2) numbers = roundNumbers(low, high, whole);
+  return numbers;
 }
 
 /// Returns the quantile `part` of the values; between two values, interpolates, or takes one of them if

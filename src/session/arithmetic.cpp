@@ -58,7 +58,7 @@ Result<void> drawShapes(Backend& backend, int first, std::vector<int>& heights) 
   for (int k = 0; k < shapes; k++) {
     int height = 0;
     for (int row = 0; row < side; row++) {
-      const auto pixel = static_cast<std::size_t>(row * side + pitch * k + 1);
+      const auto pixel = static_cast<std::size_t>(row) * side + static_cast<std::size_t>(pitch * k + 1);
       height += ids[pixel] == static_cast<std::uint32_t>(k) ? 1 : 0;
     }
     heights.push_back(height);

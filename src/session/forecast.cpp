@@ -67,7 +67,7 @@ std::uint64_t peakOfCells(const Workload& work, Detail detail) {
 std::uint64_t bytesOfCells(Detail detail, bool measured_by_density) {
   constexpr std::uint64_t measures = point_size + 2 * number_size + 1 + word_size + mean_edges * number_size;
   constexpr std::uint64_t polygons = mean_edges * (point_size + number_size) + 4 * number_size,
-                          triangles = 2 * 3 * word_size;
+                          triangles = word_size * 2 * 3;
   return measures + (detail == Detail::measures ? 0 : polygons) +
          (detail == Detail::everything ? triangles : 0) +
          (measured_by_density ? number_size + point_size : 0);
@@ -228,7 +228,7 @@ Array planPicture(MemoryPlan& plan, const Workload& work, const RenderOptions& o
 }
 
 void planCellsCheck(MemoryPlan& plan, const Workload& work, Detail detail) {
-  constexpr std::uint64_t tree = 2 * word_size + number_size, sides = 2 * 3 * 4 * word_size + word_size;
+  constexpr std::uint64_t tree = 2 * word_size + number_size, sides = word_size * 2 * 3 * 4 + word_size;
   constexpr std::uint64_t most_sampled = 10'000, nearest_of_corner = 4 * point_size;
   const auto sampled = std::min(work.sites, most_sampled) * (mean_edges + 1) * nearest_of_corner;
   const auto by_site = tree + mean_edges * word_size + (detail == Detail::everything ? sides : 0);
