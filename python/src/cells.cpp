@@ -50,7 +50,7 @@ void saveEdges(const CellsResult& result, const std::string& path, int threads) 
   requireDetail(result, format.extension, Detail::polygons);
   saveFile(path, result.input->files, [&](ByteSink& sink) -> Result<void> {
     VORPIPE_LET(topology, topologyOf(result, threads));
-    return writeLines(sink, edgesOf(result.shown(), topology, result.system()), format);
+    return writeLines(sink, edgesOf(result.sites(), result.shown(), topology, result.system()), format);
   });
 }
 

@@ -40,7 +40,7 @@ struct SphereVectors {
 };
 
 using Tree = nanoflann::KDTreeSingleIndexAdaptor<
-    nanoflann::L2_Simple_Adaptor<double, SphereVectors, double, std::uint32_t>, SphereVectors, 3,
+    nanoflann::L2_Simple_Adaptor<double, SphereVectors, double, std::uint32_t>, SphereVectors, 4,
     std::uint32_t>;
 
 class GlobeCheck {

@@ -155,6 +155,7 @@ Result<void> forecastGenerated(const InputOptions& options, const PlanRun& plan,
   work.weighted = hasWeights(options);
   work.outlined = options.domain.hull || !options.domain.file.empty();
   work.periodic = options.periodic != Periodic::none;
+  work.globe = options.globe;
   return forecast(options, work, plan, 0, limit, advice).map([](std::uint64_t) {});
 }
 
@@ -166,6 +167,7 @@ Result<std::uint64_t> forecastRun(const InputOptions& options, const Input& inpu
   cells.domain = input.domain;
   cells.outline = input.outline;
   cells.periodic = input.periodic;
+  cells.globe = input.globe;
   VORPIPE_LET(work, workloadOf(input.sites, cells, purpose, device, backend.threads));
   return forecast(options, work, plan, attributeBytes(input), limit, advice);
 }

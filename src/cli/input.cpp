@@ -108,7 +108,7 @@ Result<void> takeDomain(const InputOptions& options, Input& input, bool of_corne
                           options.crs,
                           {},
                           of_corners,
-                           options.globe};
+                          options.globe};
   if (!options.domain.file.empty()) {
     const auto attributes = options.by.empty() ? FeatureAttributes::dropped : FeatureAttributes::kept;
     auto read = readOutline(options.domain.file, options.domain_layer, attributes);

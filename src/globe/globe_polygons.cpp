@@ -15,26 +15,49 @@ using namespace core;
 constexpr double half_turn = whole_turn / 2;
 constexpr double some_part = 0.375;  // of an edge
 
-/// A ring of longitudes and latitudes. Longitudes continue from point to point, beyond half a turn if
-/// necessary.
+/// Calls add(direction) for the ends of an arc's pieces, each of `longest` degrees or less. Both cells of an
+/// edge get the same points.
+template <class Add>
+void forEachPiece(const Arc& arc, double longest, const Add& add) {
+  const bool forward = arc.begin == arc.end ? arc.axis < -arc.axis : arc.begin < arc.end;
+  const Arc back{arc.end, arc.begin, -arc.axis, arc.angle};
+  const auto pieces = std::max(1, static_cast<int>(std::ceil(arc.angle / (longest * degree))));
+  for (int k = 1; k < pieces; ++k) {
+    const double part = static_cast<double>(forward ? k : pieces - k) / pieces;
+    add(pointOn(forward ? arc : back, part));
+  }
+  add(arc.end);
+}
+
+/// An edge of a cell, by its number there.
+Arc edgeArc(const Sites& sites, const Cell& cell, std::size_t k) {
+  const auto vertices = cell.vertices();
+  const std::size_t next = k + 1 < vertices.size() ? k + 1 : 0;
+  return arcBetween(vectorOf(sites, cell.index()),
+                    vectorOf(sites, static_cast<std::size_t>(cell.neighbors()[k])), directionOf(vertices[k]),
+                    directionOf(vertices[next]), next == k);
+}
+
+/// A ring, or a line, of longitudes and latitudes. Longitudes continue from point to point, beyond half a
+/// turn if necessary.
 class UnrolledBorder {
  public:
   /// Adds the arc's points after its first.
   void add(const Arc& arc) {
     if (points_.empty()) points_.push_back(placeOf(arc.begin));
-    // Both cells of an edge get the same points.
-    const bool forward = arc.begin < arc.end;
-    const auto pieces = static_cast<int>(std::ceil(arc.angle / (longest * degree)));
-    for (int k = 0; k < pieces; ++k) {
-      const auto at = [&](int piece) {
-        if (piece == 0) return arc.begin;
-        if (piece == pieces) return arc.end;
-        if (forward) return pointOn(arc, static_cast<double>(piece) / pieces);
-        const Arc back{arc.end, arc.begin, -arc.axis, arc.angle};
-        return pointOn(back, static_cast<double>(pieces - piece) / pieces);
-      };
-      addPiece(at(k), at(k + 1), arc.axis.z);
+    Direction last = arc.begin;
+    forEachPiece(arc, longest, [&](const Direction& at) {
+      addPiece(last, at, arc.axis.z);
+      last = at;
+    });
+  }
+
+  /// The line as it is. One from a pole begins with the longitude where it leads.
+  [[nodiscard]] std::vector<Point> line() && {
+    if (points_.size() > 1 && std::abs(points_.front().y) == quarter_turn && points_[1].y == points_[0].y) {
+      points_.erase(points_.begin());
     }
+    return std::move(points_);
   }
 
   /// The polygons of the ring, cut at longitude 180.
@@ -139,16 +162,10 @@ std::vector<std::vector<Point>> globePolygons(const Sites& sites, const Diagram&
              {-half_turn, quarter_turn}}};
   }
   const auto vertices = cell.vertices();
-  const auto neighbors = cell.neighbors();
-  const Direction own = vectorOf(sites, site);
   // A ring begins elsewhere than at a pole, where it would have no longitude.
   std::size_t first = 0;
   while (first + 1 < vertices.size() && std::abs(vertices[first].y) == quarter_turn) ++first;
-  const auto arcAt = [&](std::size_t k) {
-    const auto e = (first + k) % vertices.size(), next = (e + 1) % vertices.size();
-    return arcBetween(own, vectorOf(sites, static_cast<std::size_t>(neighbors[e])), directionOf(vertices[e]),
-                      directionOf(vertices[next]), next == e);
-  };
+  const auto arcAt = [&](std::size_t k) { return edgeArc(sites, cell, (first + k) % vertices.size()); };
   UnrolledBorder border;
   const Arc start = arcAt(0);
   const bool from_pole = std::abs(vertices[first].y) == quarter_turn;
@@ -157,6 +174,75 @@ std::vector<std::vector<Point>> globePolygons(const Sites& sites, const Diagram&
   for (std::size_t k = 1; k < vertices.size(); ++k) border.add(arcAt(k));
   if (from_pole) border.add({start.begin, between, start.axis, some_part * start.angle});
   return border.polygons();
+}
+
+std::vector<Point> globeEdge(const Sites& sites, const Diagram& diagram, std::size_t site,
+                             std::uint64_t edge) {
+  const Cell cell = diagram.cell(site);
+  UnrolledBorder line;
+  line.add(edgeArc(sites, cell, edge - cell.begin()));
+  return std::move(line).line();
+}
+
+std::vector<Point> globeWay(Point from, Point to) {
+  constexpr double opposite = 1e-8;
+  const Direction begin = directionOf(from), end = directionOf(to), turn = cross(begin, end);
+  const double angle = angleBetween(begin, end), sine = lengthOf(turn);
+  // Between places opposite to each other any way is the shortest.
+  const bool has_axis = sine > 0 && (sine > opposite || angle < 1);
+  UnrolledBorder line;
+  line.add({begin, end, has_axis ? 1 / sine * turn : perpendicular(begin), angle});
+  return std::move(line).line();
+}
+
+std::vector<std::vector<Point>> cutAtTurns(const std::vector<Point>& line) {
+  const double middle = line.size() < 2 ? line[0].x : (line[0].x + line[1].x) / 2;
+  double turn = whole_turn * std::floor((middle + half_turn) / whole_turn);
+  std::vector<std::vector<Point>> parts(1);
+  const auto add = [&](Point p) { parts.back().push_back({p.x - turn, p.y}); };
+  for (std::size_t k = 0; k < line.size(); ++k) {
+    const Point to = line[k];
+    while (std::abs(to.x - turn) > half_turn) {
+      const double side = std::copysign(1.0, to.x - turn), x = turn + side * half_turn;
+      const Point from = line[k - 1];
+      const double y = from.y + (to.y - from.y) * ((x - from.x) / (to.x - from.x));
+      if (parts.back().empty() || parts.back().back() != Point{side * half_turn, y}) add({x, y});
+      turn += side * whole_turn;
+      parts.emplace_back();
+      add({x, y});
+    }
+    add(to);
+  }
+  std::erase_if(parts, [](const auto& part) { return part.size() < 2; });
+  return parts;
+}
+
+double globeDistance(Point from, Point to) {
+  return earthRadius() * angleBetween(directionOf(from), directionOf(to));
+}
+
+SpacePoint onGlobe(Point degrees) {
+  const Direction at = directionOf(degrees);
+  return {at.x, at.y, at.z};
+}
+
+GlobeBorder globeBorder(const Sites& sites, const Diagram& diagram, std::size_t site, double longest) {
+  const Cell cell = diagram.cell(site);
+  GlobeBorder border;
+  const auto add = [&](const Direction& at) { border.points.push_back({at.x, at.y, at.z}); };
+  const auto addArc = [&](const Arc& arc) {
+    border.begins.push_back(border.points.size());
+    add(arc.begin);
+    forEachPiece(arc, longest, add);
+    border.points.pop_back();
+  };
+  if (cell.edges() == 0) {
+    const Direction axis = directionOf({sites.x[site], sites.y[site]}), begin = perpendicular(axis);
+    addArc({begin, begin, axis, whole_turn * degree});
+    border.begins.clear();
+  }
+  for (std::size_t k = 0; k < cell.edges(); ++k) addArc(edgeArc(sites, cell, k));
+  return border;
 }
 
 }  // namespace vorpipe

@@ -56,6 +56,7 @@ std::uint64_t heapOf(const Workload& work) {
 
 /// Bytes per site or image at the peak of Session::cells, besides a device.
 std::uint64_t peakOfCells(const Workload& work, Detail detail) {
+  if (work.globe) return (detail == Detail::measures ? 480u : 615u) + (work.weighted ? 65u : 0u);
   if (work.periodic) return work.outlined ? 700 : work.weighted ? 560 : 535;
   if (work.outlined) return detail == Detail::everything ? 660 : 635;
   constexpr std::uint64_t measures = 290, polygons = 400, everything = 495;
@@ -141,6 +142,7 @@ Result<Workload> workloadOf(const Sites& sites, const CellsOptions& options, Ima
   work.weighted = !sites.weight.empty();
   work.outlined = !options.outline.empty();
   work.periodic = options.periodic != Periodic::none;
+  work.globe = options.globe;
   work.density_pixels = options.density.values.size();
   work.backend = device.backend;
   work.device_on_host = device.type == "cpu";
@@ -165,7 +167,7 @@ void planSession(MemoryPlan& plan, const Workload& work) {
 Array planCells(MemoryPlan& plan, const Workload& work, Detail detail) {
   const BackendMemory& memory = memoryOf(work);
   const auto start = plan.next();
-  if (work.device_on_host) {
+  if (work.device_on_host && !work.globe) {
     plan.take("sites on the device", allSites(work) * (work.weighted ? memory.weighted_site : memory.site));
   }
   const bool massive = work.density_pixels > 0;

@@ -52,7 +52,7 @@ inline constexpr std::uint64_t mean_edges = 6;
 struct Workload {
   std::uint64_t sites = 0;
   std::uint64_t images = 0;  ///< of the sites of a periodic domain: sitesAndImages() minus the sites
-  bool weighted = false, periodic = false, outlined = false;
+  bool weighted = false, periodic = false, outlined = false, globe = false;
   std::uint64_t density_pixels = 0;
   std::string backend = "cpu";  ///< as in DeviceInfo::backend
   /// The device's memory is this machine's, as with software drivers. (A graphics card's own memory is not
