@@ -81,7 +81,8 @@ struct Members<CoordinateSystem> {
       named(member("kind", &CoordinateSystem::kind), member("organization", &CoordinateSystem::organization),
             member("code", &CoordinateSystem::code), member("definition", &CoordinateSystem::definition),
             member("equal_area_center", &CoordinateSystem::equal_area_center),
-            member("from_plane_around", &CoordinateSystem::from_plane_around));
+            member("from_plane_around", &CoordinateSystem::from_plane_around),
+            member("on_globe", &CoordinateSystem::on_globe));
 };
 static_assert(has_all_members<CoordinateSystem>());
 
@@ -103,7 +104,7 @@ struct Members<PlacedSites> {
             member("domain", &PlacedSites::domain), member("outline", &PlacedSites::outline),
             member("parts", &PlacedSites::parts), member("periodic", &PlacedSites::periodic),
             member("system", &PlacedSites::system), member("projection", &PlacedSites::projection),
-            member("longitudes", &PlacedSites::longitudes), member("latitudes", &PlacedSites::latitudes),
+            member("globe", &PlacedSites::globe), member("longitudes", &PlacedSites::longitudes), member("latitudes", &PlacedSites::latitudes),
             member("degrees", &PlacedSites::degrees), member("notes", &PlacedSites::notes));
 };
 static_assert(has_all_members<PlacedSites>());
@@ -207,7 +208,8 @@ template <>
 struct Members<Diagram> {
   static constexpr auto all = named(
       member("status", &Diagram::status), member("owner", &Diagram::owner), member("area", &Diagram::area),
-      member("perimeter", &Diagram::perimeter), member("centroid", &Diagram::centroid),
+      member("perimeter", &Diagram::perimeter), member("solid_angle", &Diagram::solid_angle),
+      member("centroid", &Diagram::centroid),
       member("second_moments", &Diagram::second_moments), member("cell_offsets", &Diagram::cell_offsets),
       member("vertices", &Diagram::vertices), member("neighbors", &Diagram::neighbors),
       member("edge_lengths", &Diagram::edge_lengths), member("neighbor_shifts", &Diagram::neighbor_shifts),

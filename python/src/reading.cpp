@@ -40,7 +40,7 @@ auto shown(std::vector<Row> Topology::*rows) {
 /// The polygons of a cell as files of features have them, each a list of rings (M, 2).
 py::list polygonsOf(const CellsResult& cells, std::uint64_t site) {
   py::list polygons;
-  const CellPolygons found(cells.shown(), site, cells.system());
+  const CellPolygons found(cells.sites(), cells.shown(), site, cells.system());
   for (std::size_t p = 0; p < found.size(); ++p) {
     py::list rings;
     for (const auto ring : found[p])

@@ -24,7 +24,7 @@ def cells(points: Any, weights: Any = None, domain: Any = None, periodic: Union[
           check: bool = False, detail: str = 'all', search: str = 'grid', progress: Optional[Progress] = None,
           attributes: Optional[Mapping[str, Any]] = None, project: Project = None, margin: Margin = None,
           domain_layer: Optional[str] = None, repair: bool = False, crs: Any = None, surface: Optional[str] = None,
-          density_box: Optional[Sequence[float]] = None) -> Diagram:
+          density_box: Optional[Sequence[float]] = None, globe: bool = False) -> Diagram:
     """The cells of points: Voronoi cells (Thiessen polygons), with weights power (Laguerre) cells, in a domain.
 
     Args:
@@ -65,6 +65,9 @@ def cells(points: Any, weights: Any = None, domain: Any = None, periodic: Union[
         surface: "free" where air is around the cells: each ends at a disc around its point, whose squared radius is
             the weight. Arcs are lines, whose neighbor is `Wall.OUTLINE`; `Cell.border` has them. There are no
             triangles; outlines, periods, densities and `check` are not for it yet.
+        globe: points are degrees of longitude and latitude, of any turn, and cells are those on the sphere: of the
+            whole Earth, without a domain. Areas are square kilometers on the ellipsoid, lengths kilometers, weights
+            squares of radii in kilometers. Brings `solid_angles`.
 
     Ctrl-C stops it, other threads of Python go on meanwhile.
 
@@ -81,7 +84,7 @@ def cells(points: Any, weights: Any = None, domain: Any = None, periodic: Union[
     return session.cells(points, weights, domain, periodic=periodic, density=density, check=check,
                          detail=detail, search=search, progress=progress, attributes=attributes, project=project,
                          margin=margin, domain_layer=domain_layer, repair=repair, crs=crs, surface=surface,
-                         density_box=density_box)
+                         density_box=density_box, globe=globe)
 
 
 @renamed(outline='domain')

@@ -89,10 +89,11 @@ class Session:
               density: Any = None, check: bool = False, detail: str = 'all', search: str = 'grid',
               progress: Optional[Progress] = None, attributes: Optional[Mapping[str, Any]] = None,
               project: Project = None, margin: Margin = None, domain_layer: Optional[str] = None, repair: bool = False,
-              crs: Any = None, surface: Optional[str] = None, density_box: Optional[Sequence[float]] = None) -> Diagram:
+              crs: Any = None, surface: Optional[str] = None, density_box: Optional[Sequence[float]] = None,
+              globe: bool = False) -> Diagram:
         """As `vorpipe.cells`."""
         found = given(points)
-        wanted = _arguments.domain_of(domain, margin, repair, project, domain_layer)
+        wanted = _arguments.domain_of(domain, margin, repair, project, domain_layer, globe)
         taken = input_of(found, weights, wanted, periodic, density, attributes, crs, surface, density_box=density_box)
         method, neighbors = _arguments.search_of(search)
         made = self._session.cells(taken, _arguments.detail_of(detail), method, neighbors,

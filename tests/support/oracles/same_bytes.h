@@ -23,6 +23,7 @@ inline void expectSameBytes(const Diagram& a, const Diagram& b) {
   expectSameBytes(a.status, b.status, "status");
   expectSameBytes(a.owner, b.owner, "owner");
   expectSameBytes(a.area, b.area, "area");
+  expectSameBytes(a.solid_angle, b.solid_angle, "solid angles");
   expectSameBytes(a.perimeter, b.perimeter, "perimeter");
   expectSameBytes(a.centroid, b.centroid, "centroid");
   expectSameBytes(a.second_moments, b.second_moments, "second moments");
