@@ -81,7 +81,7 @@ class UnrolledBorder {
   }
 
  private:
-  static constexpr double longest = 0.5;    ///< degrees between points
+  static constexpr double longest = 0.25;   ///< degrees between points
   static constexpr double most_off = 1e-5;  ///< of the Earth's radius
   static constexpr double at_pole = 1e-12;
 

@@ -12,8 +12,9 @@ namespace vorpipe {
 
 /// The polygons of a cell on the globe, in degrees: each a ring, counter-clockwise, whose first point is not
 /// repeated. A cell is cut at longitude 180, and a ring around a pole follows it, as RFC 7946 asks (3.1.9).
-/// Edges are great circles, with points in between: half a degree apart or less, so many that straight lines
-/// of longitude and latitude are within 1e-5 of the Earth's radius. None for a site without a cell.
+/// Edges are great circles, with points in between: a quarter of a degree apart or less, so many that
+/// straight lines of longitude and latitude are within 1e-5 of the Earth's radius. None for a site without a
+/// cell.
 std::vector<std::vector<Point>> globePolygons(const Sites& sites, const Diagram& diagram, std::size_t site);
 
 /// A line in degrees with the points in between of globePolygons: longitudes continue beyond 180. It is an

@@ -72,7 +72,7 @@ TEST_P(GlobeCells, keepThemForRandomHardSites) {
           break;
         case 4:
           for (std::uint64_t k = 0; k < count; ++k)
-            add(sites, {noise(random, 400), oneOf(random, {-90.0, 0.0, 45.0, 90.0})});
+            add(sites, {noise(random, 360), oneOf(random, {-90.0, 0.0, 45.0, 90.0})});
           break;
         default:
           for (std::uint64_t k = 0; k < count; ++k) {

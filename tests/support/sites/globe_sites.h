@@ -131,7 +131,7 @@ inline std::vector<GlobeSet> hardOnGlobe() {
   put("icosahedral", icosahedral(6));
   put("grid with poles", degreeGrid(10, true));
   put("grid without poles", degreeGrid(10, false));
-  put("turns", {{190, -170, 350, -10, 540, 20, 0, 120}, {10, 10, 20, 20, 30, -40, 80, -60}, {}});
+  put("turns", {{190, -170, 350, -10, -340, 20, 0, 120}, {10, 10, 20, 20, 30, -40, 80, -60}, {}});
   put("a pole twice", {{0, 100, 10, 130, -100}, {90, 90, 40, 30, -20}, {}});
   put("a hemisphere", around(10, 50, 25, 500, 3));
   put("at 180", around(180, -17, 3, 300, 4));
