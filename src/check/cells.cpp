@@ -225,7 +225,7 @@ namespace vorpipe {
 Result<std::vector<std::string>> check(const Sites& sites, const CellsOptions& options,
                                        const Diagram& diagram, int threads) {
   try {
-    if (options.globe) return core::checks::brokenOnGlobe(sites, diagram, options.detail, threads);
+    if (options.globe) return core::checks::brokenOnGlobe(sites, options, diagram, threads);
     VORPIPE_LET(inside, core::checks::wrappedIfPeriodic(sites, options.domain, options.periodic, threads));
     return core::checks::brokenBy(
         core::checks::CheckedCells(inside ? *inside : sites, options, diagram, threads));

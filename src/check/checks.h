@@ -66,7 +66,7 @@ void checkNearestInCells(const CheckedCells& run, const NearestSite& nearest, Ra
 void checkNearest(const CheckedCells& run, const NearestSite& nearest, Broken& broken);
 
 /// The broken promises of cells on the globe.
-std::vector<std::string> brokenOnGlobe(const Sites& sites, const Diagram& diagram, Detail detail,
-                                       int threads);
+std::vector<std::string> brokenOnGlobe(const Sites& sites, const CellsOptions& options,
+                                       const Diagram& diagram, int threads);
 
 }  // namespace vorpipe::core::checks

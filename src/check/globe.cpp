@@ -12,7 +12,7 @@ namespace {
 constexpr double pi = std::numbers::pi, half_turn = 180;
 constexpr double earth_area =
     510065621.7240887;  ///< km2, of WGS 84: 2 pi a^2 + pi b^2 / e ln((1 + e) / (1 - e))
-constexpr double sphere_slack = 1e-12;
+constexpr double sphere_slack = 1e-12, outline_slack = 1e-5;
 
 /// A place in space, and a fourth coordinate: of sites with weights, what makes the nearest of them in four
 /// dimensions the one whose cell has a place of the sphere, x . v largest: |x - v|^2 + |v'|^2 - |v|^2 least,
@@ -45,8 +45,12 @@ using Tree = nanoflann::KDTreeSingleIndexAdaptor<
 
 class GlobeCheck {
  public:
-  GlobeCheck(const Sites& sites, const Diagram& diagram, Detail detail, int threads)
-      : diagram_(diagram), detail_(detail), threads_(threadCount(threads)), tree_(4, placed(sites), {16}) {
+  GlobeCheck(const Sites& sites, const CellsOptions& options, const Diagram& diagram, int threads)
+      : diagram_(diagram),
+        outline_(options.outline),
+        detail_(options.detail),
+        threads_(threadCount(threads)),
+        tree_(4, placed(sites), {16}) {
     tree_.buildIndex();
   }
 
@@ -55,9 +59,11 @@ class GlobeCheck {
     checkOwners();
     checkSums();
     if (detail_ != Detail::measures && checkTwins()) {
-      checkPartition();
       checkVertices();
-      checkPlaces();
+      if (outline_.empty()) {
+        checkPartition();
+        checkPlaces();
+      }
     }
     return broken_.take();
   }
@@ -87,8 +93,17 @@ class GlobeCheck {
   [[nodiscard]] std::size_t size() const { return sites_.at.size(); }
   [[nodiscard]] std::size_t begin(std::size_t i) const { return diagram_.cell_offsets[i]; }
   [[nodiscard]] std::size_t end(std::size_t i) const { return diagram_.cell_offsets[i + 1]; }
+  /// The edge after one of a cell, around its ring.
   [[nodiscard]] std::size_t next(std::size_t i, std::size_t e) const {
-    return e + 1 < end(i) ? e + 1 : begin(i);
+    if (outline_.empty()) return e + 1 < end(i) ? e + 1 : begin(i);
+    const auto& starts = diagram_.ring_starts;
+    const auto after = std::ranges::upper_bound(starts, e);
+    const auto ring_end = after == starts.end() ? end(i) : std::min<std::size_t>(*after, end(i));
+    return e + 1 < ring_end ? e + 1 : *(after - 1);
+  }
+  /// Whether an edge is one of the outline.
+  [[nodiscard]] bool isOutline(std::size_t e) const {
+    return !outline_.empty() && diagram_.neighbors[e] == static_cast<std::int64_t>(Wall::outline);
   }
 
   bool checkArrays() {
@@ -107,6 +122,7 @@ class GlobeCheck {
     }
     return broken_.expect("neighbors", edges, threads_, [&](std::size_t e) -> std::string {
       const auto other = d.neighbors[e];
+      if (isOutline(e)) return {};
       const bool is_cell = other >= 0 && static_cast<std::size_t>(other) < size() &&
                            d.status[static_cast<std::size_t>(other)] == Status::ok;
       return is_cell ? "" : fmt::format("{} has no cell", other);
@@ -126,7 +142,8 @@ class GlobeCheck {
     broken_.expect("owners", size(), threads_, [&](std::size_t i) -> std::string {
       const auto owner = diagram_.owner[i];
       const bool is_own = owner == i;
-      const bool is_hidden = has_weights_ && is_own && diagram_.status[i] == Status::empty;
+      const bool is_hidden =
+          (has_weights_ || !outline_.empty()) && is_own && diagram_.status[i] == Status::empty;
       if ((owner > i && !has_weights_) || is_own != (diagram_.status[i] == Status::ok || is_hidden) ||
           (!is_own && diagram_.status[i] != Status::duplicate)) {
         return fmt::format("site {} is owned by site {}", i, owner);
@@ -137,11 +154,52 @@ class GlobeCheck {
     });
   }
 
+  /// Integrates the authalic q (Snyder 1987, 3-12) along the outline's sides, which are straight in degrees.
+  [[nodiscard]] double areaOfOutline() const {
+    constexpr double a = 6378.137, f = 1 / 298.257223563, e2 = f * (2 - f);
+    const double e = std::sqrt(e2);
+    const auto q = [&](double latitude) {
+      const double s = std::sin(latitude / half_turn * pi);
+      return (1 - e2) * (s / (1 - e2 * s * s) + std::atanh(e * s) / e);
+    };
+    double sum = 0;
+    for (std::size_t p = 0; p + 1 < outline_.polygon_offsets.size(); ++p) {
+      for (auto r = outline_.polygon_offsets[p]; r < outline_.polygon_offsets[p + 1]; ++r) {
+        const auto ring =
+            std::span(outline_.points)
+                .subspan(outline_.ring_offsets[r], outline_.ring_offsets[r + 1] - outline_.ring_offsets[r]);
+        double of_ring = 0, turn = 0;
+        for (std::size_t k = 0; k < ring.size(); ++k) {
+          const Point from = ring[k], to = ring[k + 1 < ring.size() ? k + 1 : 0];
+          const double way = std::remainder(to.x - from.x, 2 * half_turn);
+          turn += way;
+          constexpr int steps = 16;
+          for (int step = 0; step < steps; ++step) {
+            const double part = (step + 0.5) / steps;
+            of_ring += q(from.y + part * (to.y - from.y)) * way / steps;
+          }
+        }
+        // Around a pole, what is between the ring and the nearer one.
+        if (std::abs(turn) > half_turn) of_ring = 2 * half_turn * q(half_turn / 2) - std::abs(of_ring);
+        const bool is_hole = r > outline_.polygon_offsets[p];
+        sum += is_hole ? -std::abs(of_ring) : std::abs(of_ring);
+      }
+    }
+    return sum * a * a / 2 * pi / half_turn;
+  }
+
   void checkSums() {
     double solid = 0, area = 0;
     for (std::size_t i = 0; i < size(); ++i) {
       solid += diagram_.solid_angle[i];
       area += diagram_.area[i];
+    }
+    if (!outline_.empty()) {
+      const double whole = areaOfOutline();
+      if (!(std::abs(area / whole - 1) <= outline_slack)) {
+        broken_.add("areas", fmt::format("they add up to {} km2, the outline has {}", area, whole));
+      }
+      return;
     }
     const double slack = sphere_slack * std::max(1.0, std::sqrt(static_cast<double>(size())) / 1000);
     if (!(std::abs(solid / (4 * pi) - 1) <= slack)) {
@@ -156,6 +214,7 @@ class GlobeCheck {
   bool checkTwins() {
     return broken_.expect("symmetry", size(), threads_, [&](std::size_t i) -> std::string {
       for (auto e = begin(i); e < end(i); ++e) {
+        if (isOutline(e)) continue;
         const auto j = static_cast<std::size_t>(diagram_.neighbors[e]);
         bool found = false;
         for (auto f = begin(j); f < end(j) && !found; ++f) {
@@ -193,6 +252,7 @@ class GlobeCheck {
     double nearest = 2;
     double farthest = 0;
     for (auto e = begin(i); e < end(i); ++e) {
+      if (isOutline(e)) continue;
       const double away = chordOf(sites_.at[i], sites_.at[static_cast<std::size_t>(diagram_.neighbors[e])]);
       nearest = std::min(nearest, away);
       farthest = std::max(farthest, away);
@@ -222,7 +282,7 @@ class GlobeCheck {
       for (auto e = begin(i); e < end(i); ++e) {
         const SpaceVector vertex = toward(diagram_.vertices[e]);
         const double own = chordOf(vertex, sites_.at[i]);
-        const auto j = static_cast<std::size_t>(diagram_.neighbors[e]);
+        const auto j = isOutline(e) ? i : static_cast<std::size_t>(diagram_.neighbors[e]);
         if (std::abs(farther(chordOf(vertex, sites_.at[j]), own)) > slack) {
           return fmt::format("a vertex of sites {} and {} is not as far from both", i, j);
         }
@@ -271,6 +331,7 @@ class GlobeCheck {
   bool has_weights_ = false;
   SphereVectors sites_;
   const Diagram& diagram_;
+  const Outline& outline_;
   Detail detail_;
   int threads_;
   Broken broken_;
@@ -279,9 +340,9 @@ class GlobeCheck {
 
 }  // namespace
 
-std::vector<std::string> brokenOnGlobe(const Sites& sites, const Diagram& diagram, Detail detail,
-                                       int threads) {
-  return GlobeCheck(sites, diagram, detail, threads).run();
+std::vector<std::string> brokenOnGlobe(const Sites& sites, const CellsOptions& options,
+                                       const Diagram& diagram, int threads) {
+  return GlobeCheck(sites, options, diagram, threads).run();
 }
 
 }  // namespace vorpipe::core::checks

@@ -126,7 +126,8 @@ Result<Input> loadInput(const InputOptions& options) {
   const Stopwatch watch;
   ReadOptions reading = options.reading;
   if (options.sites == "-") reading.format = options.format.input;
-  auto source = loadSites(options.sites, options.seed, reading, options.domain.box);
+  auto source = loadSites(options.sites, options.seed, reading,
+                          options.globe ? std::optional<Box>() : options.domain.box);
   if (!source) return named("--sites", std::move(source.error()));
   Input input;
   input.sites = std::move(source->table.sites);

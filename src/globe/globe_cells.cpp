@@ -7,6 +7,7 @@
 #include "base/progress_steps.h"
 #include "base/stopwatch.h"
 #include "base/try.h"
+#include "globe/outlined_cells.h"
 #include "globe/sphere_measures.h"
 #include "globe/sphere_mesh.h"
 #include "sites/weights.h"
@@ -95,32 +96,58 @@ void writeTriangles(const SphereMesh& mesh, int threads, Diagram& diagram) {
   });
 }
 
+/// The cells of the whole sphere.
+Result<Diagram> wholeCellsOn(const Sites& sites, const SphereSites& placed, const CellsOptions& options,
+                             int threads) {
+  const Detail detail = options.detail;
+  const Progress& progress = options.progress;
+  const Stopwatch watch;
+  VORPIPE_TRY(reportStage(progress, 0));
+  Diagram diagram;
+  auto& times = diagram.report.time_ms;
+  VORPIPE_VAR(mesh, triangulateSphere(placed, threads));
+  times.order = watch.milliseconds();
+  VORPIPE_TRY(reportStage(progress, 2));
+  VORPIPE_VAR(cells, cellsOfSphere(placed, mesh, detail != Detail::measures, threads));
+  diagram.owner = std::move(mesh.owner);
+  VORPIPE_TRY(writeDiagram(placed, sites, cells, threads, progress, diagram));
+  diagram.cell_offsets = std::move(cells.offsets);
+  diagram.neighbors = std::move(cells.neighbor);
+  diagram.vertices = std::move(cells.place);
+  if (detail == Detail::everything) writeTriangles(mesh, threads, diagram);
+  times.cells = watch.milliseconds() - times.order;
+  return diagram;
+}
+
+/// Those inside of an outline.
+Result<Diagram> partCellsOn(const Machine& machine, const Sites& sites, const SphereSites& placed,
+                            const CellsOptions& options, int threads) {
+  VORPIPE_VAR(diagram, outlinedCellsOn(machine, sites, placed, options));
+  diagram.report.hidden = 0;
+  const bool has_triangles = options.detail == Detail::everything;
+  if (!has_triangles && placed.excess.empty()) return std::move(diagram);
+  VORPIPE_LET(mesh, triangulateSphere(placed, threads));
+  if (has_triangles) writeTriangles(mesh, threads, diagram);
+  for (std::size_t v = 0; v < mesh.at.size(); ++v) {
+    if (mesh.at[v] < 0 && mesh.owner[mesh.site[v]] == mesh.site[v]) ++diagram.report.hidden;
+  }
+  return std::move(diagram);
+}
+
 }  // namespace
 
 Result<Diagram> globeCellsOn(const Machine& machine, const Sites& sites, const CellsOptions& options) {
   const int threads = threadCount(machine.threads);
-  const Stopwatch watch;
-  VORPIPE_TRY(reportStage(options.progress, 0));
   const SphereSites placed = placedOn(sites, threads);
-  Diagram diagram;
+  VORPIPE_VAR(diagram, options.outline.empty() ? wholeCellsOn(sites, placed, options, threads)
+                                               : partCellsOn(machine, sites, placed, options, threads));
   auto& report = diagram.report;
-  VORPIPE_VAR(mesh, triangulateSphere(placed, threads));
-  report.time_ms.order = watch.milliseconds();
-  VORPIPE_TRY(reportStage(options.progress, 2));
-  VORPIPE_VAR(cells, cellsOfSphere(placed, mesh, options.detail != Detail::measures, threads));
-  diagram.owner = std::move(mesh.owner);
-  VORPIPE_TRY(writeDiagram(placed, sites, cells, threads, options.progress, diagram));
-  diagram.cell_offsets = std::move(cells.offsets);
-  diagram.neighbors = std::move(cells.neighbor);
-  diagram.vertices = std::move(cells.place);
-  if (options.detail == Detail::everything) writeTriangles(mesh, threads, diagram);
   report.duplicate = static_cast<std::uint64_t>(std::ranges::count(diagram.status, Status::duplicate));
   report.empty = static_cast<std::uint64_t>(std::ranges::count(diagram.status, Status::empty));
-  report.hidden = report.empty;
+  if (options.outline.empty()) report.hidden = report.empty;
   report.ok = sites.size() - report.duplicate - report.empty;
-  report.time_ms.cells = watch.milliseconds() - report.time_ms.order;
   nameDevice(machine.backend, report);
-  return diagram;
+  return std::move(diagram);
 }
 
 }  // namespace vorpipe::core

@@ -1,8 +1,11 @@
 #include <algorithm>
 #include <cmath>
+#include <utility>
 #include <vector>
 
 #include "domain/degrees.h"
+#include "domain/geos_outline.h"
+#include "domain/rings.h"
 #include "globe/sphere_cells.h"
 #include "vorpipe/cell.h"
 #include "vorpipe/globe.h"
@@ -29,13 +32,19 @@ void forEachPiece(const Arc& arc, double longest, const Add& add) {
   add(arc.end);
 }
 
-/// An edge of a cell, by its number there.
-Arc edgeArc(const Sites& sites, const Cell& cell, std::size_t k) {
-  const auto vertices = cell.vertices();
-  const std::size_t next = k + 1 < vertices.size() ? k + 1 : 0;
-  return arcBetween(vectorOf(sites, cell.index()),
-                    vectorOf(sites, static_cast<std::size_t>(cell.neighbors()[k])), directionOf(vertices[k]),
-                    directionOf(vertices[next]), next == k);
+/// A side of a cell, from a vertex, by its index among all, to the next of its ring.
+Arc sideOf(const Sites& sites, const Diagram& diagram, const Cell& cell, std::uint64_t entry) {
+  const CellRings rings = cell.rings();
+  std::size_t ring = 0;
+  while (entry >= rings.end(ring)) ++ring;
+  const auto next = entry + 1 < rings.end(ring) ? entry + 1 : rings.begin(ring);
+  const Direction begin = directionOf(diagram.vertices[entry]), end = directionOf(diagram.vertices[next]);
+  // In an outline, sides are shorter than half a turn.
+  if (!diagram.ring_starts.empty()) {
+    return {begin, end, normalized(cross(begin, end)), angleBetween(begin, end)};
+  }
+  const auto neighbor = static_cast<std::size_t>(diagram.neighbors[entry]);
+  return arcBetween(vectorOf(sites, cell.index()), vectorOf(sites, neighbor), begin, end, next == entry);
 }
 
 /// A ring, or a line, of longitudes and latitudes. Longitudes continue from point to point, beyond half a
@@ -60,29 +69,38 @@ class UnrolledBorder {
     return std::move(points_);
   }
 
-  /// The polygons of the ring, cut at longitude 180.
-  [[nodiscard]] std::vector<std::vector<Point>> polygons() {
+  /// Its points, in the turn where it begins. A ring around a pole is led to that pole along longitude 180.
+  [[nodiscard]] std::vector<Point> ring() const {
+    std::vector<Point> points(points_.begin(), points_.end() - 1);
     const double turns = std::round((points_.back().x - points_.front().x) / whole_turn);
-    if (turns == 0) {
-      points_.pop_back();
-    } else {
-      const double pole = turns > 0 ? quarter_turn : -quarter_turn;
-      points_.push_back({points_.back().x, pole});
-      points_.push_back({points_.front().x, pole});
+    if (turns == 0) return points;
+    // It crosses that longitude, between `before` and the next point.
+    const auto turnOf = [](const Point& p) { return std::floor((p.x + half_turn) / whole_turn); };
+    std::size_t before = 0;
+    while (turnOf(points_[before]) == turnOf(points_[before + 1])) ++before;
+    const Point a = points_[before], b = points_[before + 1];
+    const double side = std::copysign(half_turn, turns);
+    const double seam = whole_turn * std::max(turnOf(a), turnOf(b)) - half_turn;
+    const double latitude = a.y + (b.y - a.y) * ((seam - a.x) / (b.x - a.x));
+    const double pole = std::copysign(quarter_turn, turns);
+    std::vector<Point> led{{-side, latitude}};
+    for (std::size_t k = 1; k <= points.size(); ++k) {
+      const auto at = before + k;
+      const Point p = points[at < points.size() ? at : at - points.size()];
+      const double turned = at < points.size() ? 0 : whole_turn * turns;
+      led.push_back({p.x + turned - seam - side, p.y});
     }
-    const auto [west, east] = std::ranges::minmax(points_, {}, &Point::x);
-    std::vector<std::vector<Point>> parts;
-    const double first = std::floor((west.x + half_turn) / whole_turn);
-    for (double turn = first; turn * whole_turn - half_turn < east.x; ++turn) {
-      auto part = within(turn * whole_turn);
-      if (part.size() >= 3) parts.push_back(std::move(part));
-    }
-    return parts;
+    for (const Point p : {Point{side, latitude}, Point{side, pole}, Point{-side, pole}}) led.push_back(p);
+    const auto repeated = std::ranges::unique(led);
+    led.erase(repeated.begin(), repeated.end());
+    return led;
   }
 
  private:
   static constexpr double longest = 0.25;   ///< degrees between points
   static constexpr double most_off = 1e-5;  ///< of the Earth's radius
+  /// How far a straight line of degrees may be off, of its length: near poles lines would cross else.
+  static constexpr double most_bent = 0.01, shortest = 1e-9;
   static constexpr double at_pole = 1e-12;
 
   static bool isPole(const Direction& a) { return std::hypot(a.x, a.y) <= at_pole; }
@@ -93,16 +111,19 @@ class UnrolledBorder {
     const Point from = placeOf(a), to = placeOf(b);
     const bool at_a_pole = isPole(a) || isPole(b);
     const double way = std::remainder(to.x - from.x, whole_turn);
-    const Direction chord = directionOf({from.x + way / 2, (from.y + to.y) / 2});
-    if (!at_a_pole && lengthOf(chord - middle) > most_off) {
+    const Point chord{from.x + way / 2, (from.y + to.y) / 2}, at = placeOf(middle);
+    const double off = std::hypot(std::remainder(at.x - chord.x, whole_turn), at.y - chord.y);
+    const bool bends =
+        off > most_bent * std::hypot(way, to.y - from.y) || lengthOf(directionOf(chord) - middle) > most_off;
+    if (!at_a_pole && bends && lengthOf(b - a) > shortest) {
       addPiece(a, middle, east);
       addPiece(middle, b, east);
     } else {
-      addPlace(b, east);
+      addPlace(a, b, east);
     }
   }
 
-  void addPlace(const Direction& at, double east) {
+  void addPlace(const Direction& from, const Direction& at, double east) {
     const Point last = points_.back();
     Point place = placeOf(at);
     if (isPole(at)) {
@@ -119,68 +140,179 @@ class UnrolledBorder {
     } else if (std::abs(way) > quarter_turn && way * east < 0) {
       way += std::copysign(whole_turn, east);
     }
+    addSeam(from, at, last.x + way);
     points_.push_back({last.x + way, place.y});
   }
 
-  /// The part of the ring within half a turn of a longitude, which becomes 0.
-  [[nodiscard]] std::vector<Point> within(double longitude) const {
-    std::vector<Point> ring = points_;
-    for (const double side : {1.0, -1.0}) {
-      std::vector<Point> kept;
-      const auto over = [&](Point p) { return side * (p.x - longitude) - half_turn; };
-      for (std::size_t k = 0; k < ring.size(); ++k) {
-        const Point a = ring[k], b = ring[k + 1 < ring.size() ? k + 1 : 0];
-        const double of_a = over(a), of_b = over(b);
-        if (of_a <= 0) kept.push_back(a);
-        if ((of_a < 0 && of_b > 0) || (of_a > 0 && of_b < 0)) {
-          kept.push_back({longitude + side * half_turn, a.y + (b.y - a.y) * (of_a / (of_a - of_b))});
-        }
-      }
-      ring = std::move(kept);
-    }
-    for (Point& p : ring) p.x -= longitude;
-    const auto last = std::ranges::unique(ring);
-    ring.erase(last.begin(), last.end());
-    while (ring.size() > 1 && ring.front() == ring.back()) ring.pop_back();
-    const bool has_width =
-        !ring.empty() && std::ranges::any_of(ring, [&](Point p) { return p.x != ring[0].x; });
-    return has_width ? ring : std::vector<Point>{};
+  /// Adds the place where the great circle through two places crosses longitude 180, if the line from the
+  /// last point to one of this longitude does.
+  void addSeam(const Direction& from, const Direction& to, double longitude) {
+    const auto [west, east] = std::minmax(points_.back().x, longitude);
+    const double seam = half_turn + whole_turn * std::floor((east - half_turn) / whole_turn);
+    if (!(seam > west && seam < east)) return;
+    const Direction axis = cross(from, to);
+    points_.push_back({seam, std::atan(axis.x / axis.z) / degree});
   }
 
   std::vector<Point> points_;
 };
 
+/// A ring of a cell, from vertex to vertex along great circles.
+template <class ArcAt>
+std::vector<Point> unrolled(std::span<const Point> vertices, const ArcAt& arcAt) {
+  // A ring begins elsewhere than at a pole, where it would have no longitude.
+  const auto isAtPole = [&](std::size_t k) { return std::abs(vertices[k].y) == quarter_turn; };
+  std::size_t first = 0;
+  while (first + 1 < vertices.size() && isAtPole(first)) ++first;
+  UnrolledBorder border;
+  const Arc start = arcAt(first);
+  const Direction between = pointOn(start, some_part);
+  border.add(isAtPole(first) ? Arc{between, start.end, start.axis, (1 - some_part) * start.angle} : start);
+  for (std::size_t k = 1; k < vertices.size(); ++k) border.add(arcAt((first + k) % vertices.size()));
+  if (isAtPole(first)) border.add({start.begin, between, start.axis, some_part * start.angle});
+  return border.ring();
+}
+
+/// The turns that a ring reaches into, as multiples of a whole turn.
+struct Turns {
+  double first, last;
+};
+
+Turns turnsOf(std::span<const Point> ring) {
+  const auto [west, east] = std::ranges::minmax(ring, {}, &Point::x);
+  const double first = std::floor((west.x + half_turn) / whole_turn);
+  return {first, std::max(first, std::ceil((east.x + half_turn) / whole_turn) - 1)};
+}
+
+void addRing(std::span<const Point> ring, bool is_hole, Outline& outline) {
+  if (outline.ring_offsets.empty()) outline.ring_offsets = outline.polygon_offsets = {0};
+  outline.points.insert(outline.points.end(), ring.begin(), ring.end());
+  outline.ring_offsets.push_back(outline.points.size());
+  if (!is_hole) outline.polygon_offsets.push_back(0);
+  outline.polygon_offsets.back() = outline.ring_offsets.size() - 1;
+}
+
+/// The part of a whole cell's ring within half a turn of a longitude, which becomes 0. It is one, since a
+/// meridian crosses a convex cell once.
+std::vector<Point> within(std::vector<Point> ring, double longitude) {
+  for (const double side : {1.0, -1.0}) {
+    std::vector<Point> kept;
+    const auto over = [&](Point p) { return side * (p.x - longitude) - half_turn; };
+    for (std::size_t k = 0; k < ring.size(); ++k) {
+      const Point a = ring[k], b = ring[k + 1 < ring.size() ? k + 1 : 0];
+      const double of_a = over(a), of_b = over(b);
+      if (of_a <= 0) kept.push_back(a);
+      if ((of_a < 0 && of_b > 0) || (of_a > 0 && of_b < 0)) {
+        kept.push_back({longitude + side * half_turn, a.y + (b.y - a.y) * (of_a / (of_a - of_b))});
+      }
+    }
+    ring = std::move(kept);
+  }
+  for (Point& p : ring) p.x -= longitude;
+  const auto last = std::ranges::unique(ring);
+  ring.erase(last.begin(), last.end());
+  while (ring.size() > 1 && ring.front() == ring.back()) ring.pop_back();
+  const bool has_width =
+      !ring.empty() && std::ranges::any_of(ring, [&](Point p) { return p.x != ring[0].x; });
+  return has_width ? ring : std::vector<Point>{};
+}
+
+/// Whether a ring was led to a pole.
+bool isAround(std::span<const Point> ring) {
+  return std::abs(ring.back().x - ring[ring.size() - 2].x) > half_turn;
+}
+
+/// A cell's polygon with holes, cut at longitude 180. The first ring is the outer one.
+void addCut(std::vector<std::vector<Point>> rings, Outline& outline) {
+  const Turns turns = turnsOf(rings.front());
+  const auto [west, east] = std::ranges::minmax(rings.front(), {}, &Point::x);
+  const double middle = west.x + (east.x - west.x) / 2;
+  for (std::size_t r = 1; r < rings.size(); ++r) {
+    const auto [from, to] = std::ranges::minmax(rings[r], {}, &Point::x);
+    const double turn = whole_turn * std::round((middle - from.x - (to.x - from.x) / 2) / whole_turn);
+    for (Point& p : rings[r]) p.x += turn;
+  }
+  if (turns.first == 0 && turns.last == 0) {
+    for (std::size_t r = 0; r < rings.size(); ++r) addRing(rings[r], r > 0, outline);
+    return;
+  }
+  const Geos geos;
+  const auto polygonOfRing = [&](const std::vector<Point>& ring) {
+    Outline alone;
+    addRing(ring, false, alone);
+    return owned(geos, GEOSMakeValid_r(geos.handle(), polygonOf(geos, alone, 0).get()));
+  };
+  GeosGeometry whole = polygonOfRing(rings.front());
+  for (std::size_t r = 1; r < rings.size() && whole; ++r) {
+    const GeosGeometry ring = polygonOfRing(rings[r]);
+    // What lies to the left of a ring around a pole is what is not in the hole.
+    whole = owned(geos, isAround(rings[r]) ? GEOSIntersection_r(geos.handle(), whole.get(), ring.get())
+                                           : GEOSDifference_r(geos.handle(), whole.get(), ring.get()));
+  }
+  for (double turn = turns.first; turn <= turns.last && whole; ++turn) {
+    const double longitude = turn * whole_turn;
+    const GeosGeometry box = polygonOfRing({{longitude - half_turn, -quarter_turn},
+                                            {longitude + half_turn, -quarter_turn},
+                                            {longitude + half_turn, quarter_turn},
+                                            {longitude - half_turn, quarter_turn}});
+    const auto part = owned(geos, GEOSIntersection_r(geos.handle(), whole.get(), box.get()));
+    Outline of_turn;
+    addPolygons(geos, part.get(), of_turn);
+    for (Point& p : of_turn.points) p.x -= longitude;
+    for (std::size_t p = 0; p + 1 < of_turn.polygon_offsets.size(); ++p) {
+      const auto first = of_turn.polygon_offsets[p];
+      for (auto r = first; r < of_turn.polygon_offsets[p + 1]; ++r) {
+        const auto ring = ringAt(of_turn, r);
+        std::vector<Point> turned(ring.begin(), ring.end());
+        if ((areaOfRing(ring) > 0) != (r == first)) std::ranges::reverse(turned);
+        addRing(turned, r > first, outline);
+      }
+    }
+  }
+}
+
 }  // namespace
 
-std::vector<std::vector<Point>> globePolygons(const Sites& sites, const Diagram& diagram, std::size_t site) {
-  if (diagram.status[site] != Status::ok) return {};
+Outline globePolygons(const Sites& sites, const Diagram& diagram, std::size_t site) {
+  Outline outline;
+  if (diagram.status[site] != Status::ok) return outline;
   const Cell cell = diagram.cell(site);
-  if (cell.edges() == 0) {
-    return {{{-half_turn, -quarter_turn},
-             {half_turn, -quarter_turn},
-             {half_turn, quarter_turn},
-             {-half_turn, quarter_turn}}};
+  const CellRings rings = cell.rings();
+  const bool is_whole = diagram.ring_starts.empty();
+  if (is_whole && rings.empty()) {
+    addRing(std::array{Point{-half_turn, -quarter_turn}, Point{half_turn, -quarter_turn},
+                       Point{half_turn, quarter_turn}, Point{-half_turn, quarter_turn}},
+            false, outline);
+    return outline;
   }
-  const auto vertices = cell.vertices();
-  // A ring begins elsewhere than at a pole, where it would have no longitude.
-  std::size_t first = 0;
-  while (first + 1 < vertices.size() && std::abs(vertices[first].y) == quarter_turn) ++first;
-  const auto arcAt = [&](std::size_t k) { return edgeArc(sites, cell, (first + k) % vertices.size()); };
-  UnrolledBorder border;
-  const Arc start = arcAt(0);
-  const bool from_pole = std::abs(vertices[first].y) == quarter_turn;
-  const Direction between = pointOn(start, some_part);
-  border.add(from_pole ? Arc{between, start.end, start.axis, (1 - some_part) * start.angle} : start);
-  for (std::size_t k = 1; k < vertices.size(); ++k) border.add(arcAt(k));
-  if (from_pole) border.add({start.begin, between, start.axis, some_part * start.angle});
-  return border.polygons();
+  const auto arcAt = [&](std::size_t ring, std::size_t k) {
+    return sideOf(sites, diagram, cell, rings.begin(ring) + k);
+  };
+  std::vector<std::vector<Point>> polygon;
+  for (std::size_t r = 0; r < rings.size(); ++r) {
+    auto ring = unrolled(rings[r], [&](std::size_t k) { return arcAt(r, k); });
+    if (is_whole) {
+      const Turns turns = turnsOf(ring);
+      for (double turn = turns.first; turn <= turns.last; ++turn) {
+        const auto part = within(ring, turn * whole_turn);
+        if (part.size() >= 3) addRing(part, false, outline);
+      }
+      continue;
+    }
+    const bool is_hole =
+        !polygon.empty() && (areaOfRing(ring) < 0 || (isAround(ring) && isAround(polygon.front())));
+    if (!is_hole && !polygon.empty()) addCut(std::exchange(polygon, {}), outline);
+    polygon.push_back(std::move(ring));
+  }
+  if (!polygon.empty()) addCut(std::move(polygon), outline);
+  return outline;
 }
 
 std::vector<Point> globeEdge(const Sites& sites, const Diagram& diagram, std::size_t site,
                              std::uint64_t edge) {
   const Cell cell = diagram.cell(site);
   UnrolledBorder line;
-  line.add(edgeArc(sites, cell, edge - cell.begin()));
+  line.add(sideOf(sites, diagram, cell, edge));
   return std::move(line).line();
 }
 
@@ -241,7 +373,7 @@ GlobeBorder globeBorder(const Sites& sites, const Diagram& diagram, std::size_t 
     addArc({begin, begin, axis, whole_turn * degree});
     border.begins.clear();
   }
-  for (std::size_t k = 0; k < cell.edges(); ++k) addArc(edgeArc(sites, cell, k));
+  for (auto entry = cell.begin(); entry < cell.end(); ++entry) addArc(sideOf(sites, diagram, cell, entry));
   return border;
 }
 

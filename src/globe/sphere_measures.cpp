@@ -62,11 +62,14 @@ double difference(double s) {
 
 /// The angle whose sine and cosine are as y to x.
 double angleOf(double y, double x) {
-  constexpr double small = 0.01;
-  if (!(std::abs(y) < small * x)) return std::atan2(y, x);
+  constexpr double short_series = 0.01;
+  if (!(std::abs(y) < short_series * x)) return std::atan2(y, x);
   const double tangent = y / x, squared = tangent * tangent;
   return tangent * (1 - squared * (1.0 / 3 - squared * (1.0 / 5 - squared * (1.0 / 7))));
 }
+
+/// Below `small` a cell's centroid is that of its flat triangles; arcs up to `longest` are measured at once.
+constexpr double small = 1e-4, longest = 0.25;  // radians
 
 /// Adds up a cell over short arcs of its border.
 class Sums {
@@ -88,6 +91,18 @@ class Sums {
     normals_ = normals_ + angle / (2 * sine) * turn;
     ellipsoid_ += turn.z * angle / sine * meanDifference(from, to, angle / 2);
     return angle;
+  }
+
+  /// Adds an arc of any length piece by piece.
+  double add(const Arc& arc) {
+    const int pieces = static_cast<int>(std::ceil(arc.angle / longest));
+    Direction last = arc.begin;
+    for (int k = 1; k <= pieces; ++k) {
+      const Direction here = k == pieces ? arc.end : pointOn(arc, static_cast<double>(k) / pieces);
+      add(last, here);
+      last = here;
+    }
+    return arc.angle;
   }
 
   [[nodiscard]] SphereMeasures measures(bool is_small) const {
@@ -122,9 +137,9 @@ class Sums {
   };
   /// The point of an arc at this part of its half, by its chord's middle and half.
   static Parts partsAt(double part, double half_angle) {
-    constexpr double small = 1e-3;
+    constexpr double flat = 1e-3;
     const double angle = part * half_angle;
-    if (half_angle >= small) {
+    if (half_angle >= flat) {
       return {std::cos(angle) / std::cos(half_angle), std::sin(angle) / std::sin(half_angle)};
     }
     const double lack = (half_angle * half_angle - angle * angle) / 2;
@@ -144,9 +159,9 @@ SphereMeasures wholeSphere(const Direction& site) { return {4 * pi, 4 * pi * squ
 
 SphereMeasures measureCell(const SphereSites& sites, const SphereCells& cells, std::size_t site,
                            std::span<double> lengths) {
-  constexpr double small = 1e-4, large = 1, longest = 0.25;  // radians
-  const auto begin = cells.offsets[site], end = cells.offsets[site + 1];
+  constexpr double large = 1;  // radians
   const Direction& own = sites.direction[site];
+  const auto begin = cells.offsets[site], end = cells.offsets[site + 1];
   double reach = 0;
   for (auto e = begin; e < end; ++e) reach = std::max(reach, lengthOf(cells.vertex[e] - own));
   Direction apex = own;
@@ -162,20 +177,31 @@ SphereMeasures measureCell(const SphereSites& sites, const SphereCells& cells, s
   for (auto e = begin; e < end; ++e) {
     const auto next = e + 1 < end ? e + 1 : begin;
     const Direction &from = cells.vertex[e], &to = cells.vertex[next];
-    if (next != e && lengthOf(to - from) <= longest) {
-      const double angle = sums.add(from, to);
-      if (!lengths.empty()) lengths[e - begin] = angle;
-      continue;
+    const double angle = next != e && lengthOf(to - from) <= longest
+                             ? sums.add(from, to)
+                             : sums.add(arcOf(sites.vectors(), cells, site, e));
+    if (!lengths.empty()) lengths[e - begin] = angle;
+  }
+  return sums.measures(reach < small);
+}
+
+SphereMeasures measureRings(std::span<const Direction> vertices, std::span<const std::size_t> ends,
+                            std::span<double> lengths) {
+  Direction apex{0, 0, 0};
+  for (const Direction& vertex : vertices) apex = apex + vertex;
+  apex = normalized(apex);
+  double reach = 0;
+  for (const Direction& vertex : vertices) reach = std::max(reach, lengthOf(vertex - apex));
+  Sums sums(apex);
+  std::size_t begin = 0;
+  for (const std::size_t end : ends) {
+    for (auto e = begin; e < end; ++e) {
+      const Direction &from = vertices[e], &to = vertices[e + 1 < end ? e + 1 : begin];
+      lengths[e] = lengthOf(to - from) <= longest
+                       ? sums.add(from, to)
+                       : sums.add(Arc{from, to, normalized(cross(from, to)), angleBetween(from, to)});
     }
-    const Arc arc = arcOf(sites.vectors(), cells, site, e);
-    if (!lengths.empty()) lengths[e - begin] = arc.angle;
-    const int pieces = static_cast<int>(std::ceil(arc.angle / longest));
-    Direction last = from;
-    for (int k = 1; k <= pieces; ++k) {
-      const Direction here = k == pieces ? to : pointOn(arc, static_cast<double>(k) / pieces);
-      sums.add(last, here);
-      last = here;
-    }
+    begin = end;
   }
   return sums.measures(reach < small);
 }

@@ -16,6 +16,11 @@ struct SphereMeasures {
 SphereMeasures measureCell(const SphereSites& sites, const SphereCells& cells, std::size_t site,
                            std::span<double> lengths);
 
+/// Measures what rings enclose, on their left; ring k of `vertices` ends before ends[k]. Sides are great
+/// circles shorter than half a turn. `lengths` becomes theirs, in radians.
+SphereMeasures measureRings(std::span<const Direction> vertices, std::span<const std::size_t> ends,
+                            std::span<double> lengths);
+
 /// What a site alone on the sphere has.
 SphereMeasures wholeSphere(const Direction& site);
 

@@ -1,9 +1,13 @@
 #include "vorpipe/pieces.h"
 
 #include <algorithm>
+#include <cmath>
 #include <string>
 
 #include "base/try.h"
+#include "domain/degrees.h"
+#include "domain/rings.h"
+#include "geometry/polygon_measures.h"
 #include "vorpipe.h"
 #include "vorpipe/cell.h"
 
@@ -13,12 +17,17 @@ namespace {
 /// The boxes of cells, for queries which of them meet another box.
 class CellBoxes {
  public:
-  explicit CellBoxes(const Diagram& cells) {
+  /// Those of cells on the globe are in degrees, of each part that longitude 180 cuts off.
+  CellBoxes(const Sites& sites, const Diagram& cells, bool on_globe) {
     for (const Cell cell : cells) {
-      if (cell.status() != Status::ok || cell.edges() == 0) continue;
-      const Box box = boxOf(cell.vertices());
-      widest_ = std::max(widest_, box.xmax - box.xmin);
-      boxes_.push_back({box, static_cast<std::uint32_t>(cell.index())});
+      if (cell.status() != Status::ok) continue;
+      if (!on_globe) {
+        if (cell.edges() > 0) add(boxOf(cell.vertices()), cell.index());
+        continue;
+      }
+      const Outline parts = globePolygons(sites, cells, cell.index());
+      for (std::size_t r = 0; r + 1 < parts.ring_offsets.size(); ++r)
+        add(grown(boxOf(core::ringAt(parts, r)), most_off), cell.index());
     }
     std::ranges::sort(boxes_, {}, [](const SiteBox& each) { return std::pair(each.box.xmin, each.site); });
   }
@@ -34,10 +43,27 @@ class CellBoxes {
         sites.push_back(at->site);
     }
     std::ranges::sort(sites);
+    const auto last = std::ranges::unique(sites);
+    sites.erase(last.begin(), last.end());
     return sites;
   }
 
  private:
+  /// Degrees by which globePolygons may be off.
+  static constexpr double most_off = 1e-3;
+
+  /// A box of degrees with what may be missing on each side.
+  static Box grown(const Box& box, double off) {
+    const double latitude = std::max(std::abs(box.ymin), std::abs(box.ymax)) * degree;
+    const double across = off / std::max(std::cos(latitude), off);
+    return {box.xmin - across, box.ymin - off, box.xmax + across, box.ymax + off};
+  }
+
+  void add(const Box& box, std::size_t site) {
+    widest_ = std::max(widest_, box.xmax - box.xmin);
+    boxes_.push_back({box, static_cast<std::uint32_t>(site)});
+  }
+
   struct SiteBox {
     Box box;
     std::uint32_t site;
@@ -45,6 +71,29 @@ class CellBoxes {
   std::vector<SiteBox> boxes_;  ///< by xmin
   double widest_ = 0;
 };
+
+/// The sites whose cells on the globe may meet a region in degrees, ascending.
+std::vector<std::uint32_t> meetingOnGlobe(const CellBoxes& boxes, const Outline& region) {
+  Box box = boxOf(region.points);
+  for (std::size_t r = 0; r + 1 < region.ring_offsets.size(); ++r) {
+    double turn = 0;
+    core::eachSide(core::ringAt(region, r),
+                   [&](Point a, Point b) { turn += std::remainder(b.x - a.x, whole_turn); });
+    if (std::abs(turn) < whole_turn / 2) continue;
+    // It goes around a pole, the nearer one.
+    box = {-whole_turn, box.ymin, whole_turn, box.ymax};
+    (box.ymin + box.ymax < 0 ? box.ymin : box.ymax) = std::copysign(quarter_turn, box.ymin + box.ymax);
+  }
+  std::vector<std::uint32_t> sites;
+  for (const double turn : {-whole_turn, 0.0, whole_turn}) {
+    const auto some = boxes.meeting({box.xmin + turn, box.ymin, box.xmax + turn, box.ymax});
+    sites.insert(sites.end(), some.begin(), some.end());
+  }
+  std::ranges::sort(sites);
+  const auto last = std::ranges::unique(sites);
+  sites.erase(last.begin(), last.end());
+  return sites;
+}
 
 Sites chosen(const Sites& sites, std::span<const std::uint32_t> which) {
   Sites some;
@@ -115,7 +164,7 @@ Result<Pieces> piecesOf(Session& session, const Sites& sites, const CellsOptions
   CellsOptions whole_options = options;
   whole_options.detail = Detail::polygons;
   VORPIPE_VAR(whole, session.cells(sites, whole_options));
-  const CellBoxes boxes(whole);
+  const CellBoxes boxes(sites, whole, options.globe);
   Pieces pieces;
   pieces.cells.report = std::move(whole.report);
   pieces.cells.cell_offsets = {0};
@@ -130,7 +179,7 @@ Result<Pieces> piecesOf(Session& session, const Sites& sites, const CellsOptions
     of_region.outline = regions[r];
     of_region.domain = boxOf(regions[r].points);
     // In this box no other site is the nearest one.
-    const auto near = boxes.meeting(of_region.domain);
+    const auto near = options.globe ? meetingOnGlobe(boxes, regions[r]) : boxes.meeting(of_region.domain);
     const Sites some = chosen(sites, near);
     VORPIPE_LET(cells, session.cells(some, of_region));
     if (each) VORPIPE_TRY(each(some, of_region, cells));

@@ -466,8 +466,8 @@ succeeds "labels of a relaxation" relax --backend cpu --sites in/rain.csv --iter
 grep -q '>T</text>' out/relaxed.svg && grep -q '>b</text>' out/relaxed.svg || fail "the title or a label is missing"
 
 # -- The whole Earth ------------------------------------------------------------------------------------
-globe="cells --backend cpu --globe"
-succeeds "the beacons of the Earth" $globe --check --sites "$navaids" --stats out/s.json -o out/s.csv -o out/s.npz \
+earth="cells --backend cpu --globe"
+succeeds "the beacons of the Earth" $earth --check --sites "$navaids" --stats out/s.json -o out/s.csv -o out/s.npz \
   -o out/s.geojson -o out/s.gpkg -o out/s.svg --edges out/edges.geojson --triangulation out/network.gpkg
 area 510065621.7240 510065621.7241
 head -1 out/s.csv | grep -q '^site,x,y,weight,status,area,perimeter,centroid_x,centroid_y,vertices,neighbors' || fail "other columns"
@@ -481,24 +481,51 @@ for backend in vulkan-compute vulkan-geometry opengl; do
   cmp -s out/first.csv out/other.csv || fail "other bytes"
 done
 printf 'name,lon,lat\nA,10,50\nB,190,-20\nC,-70,85\nD,100,-80\n' >in/four.csv
-notes "names of neighbors" "are taken as x, y" $globe --sites in/four.csv --id @name --share -o out/four.csv
+notes "names of neighbors" "are taken as x, y" $earth --sites in/four.csv --id @name --share -o out/four.csv
 cut -d, -f11- out/four.csv | grep -q '^"B;.*,0\..*,A$' || fail "no names, share or attribute"
 # Ends of edges are vertices, and lines are cut at 180 degrees.
-notes "lines of few cells" "" $globe --quiet --sites in/four.csv --edges out/e.csv --edges out/e.geojson --edges out/e.vtp --edges out/e.wkt
+notes "lines of few cells" "" $earth --quiet --sites in/four.csv --edges out/e.csv --edges out/e.geojson --edges out/e.vtp --edges out/e.wkt
 [ "$(wc -l <out/e.csv)" -eq 7 ] || fail "not six edges"
 grep -q MULTILINESTRING out/e.wkt && grep -q '"MultiLineString"' out/e.geojson || fail "no line is cut"
-succeeds "a pattern" $globe --sites random:50000 --detail measures -o out/measures.npz --stats out/s.json
+succeeds "a pattern" $earth --sites random:50000 --detail measures -o out/measures.npz --stats out/s.json
 area 510065621.724 510065621.725
 grep -q '"tiles"' out/s.json && fail "measures of the globe in tiles of a plane"
-fails 2 "a domain" "--globe: is the whole Earth, without --domain, --margin, --project or --periodic" $globe --sites random:9 --domain 0,0,1,1 -o out/old.csv
-for option in "--project auto" "--margin 1" "--periodic x" "--domain hull"; do
-  fails 2 "$option" "--globe: is the whole Earth" $globe --sites in/three.csv $option -o out/old.csv
+for option in "--project auto" "--domain hull"; do
+  fails 2 "$option" "--globe: is without" $earth --sites in/three.csv $option -o out/old.csv
 done
-fails 2 "meters" "in/plane.csv" $globe --sites in/plane.csv -o out/old.csv
-fails 2 "no place" "site 1" $globe --sites in/bad.csv -o out/old.csv
-fails 2 "a heavy site" "below a quarter of the Earth, 10008 km" $globe --sites random:9 --random-weights 2e8,3e8 -o out/old.csv
-fails 2 "FLANN" "--search: FLANN is for a plane" $globe --sites random:9 --search flann -o out/old.csv
-fails 2 "a free surface" "--surface" $globe --sites random:9 --random-weights 1,2 --surface free -o out/old.csv
-fails 2 "a density" "--density" $globe --sites random:9 --density in/map.png -o out/old.csv
+fails 2 "meters" "in/plane.csv" $earth --sites in/plane.csv -o out/old.csv
+fails 2 "no place" "site 1" $earth --sites in/bad.csv -o out/old.csv
+fails 2 "a heavy site" "below a quarter of the Earth, 10008 km" $earth --sites random:9 --random-weights 2e8,3e8 -o out/old.csv
+fails 2 "FLANN" "--search: FLANN is for a plane" $earth --sites random:9 --search flann -o out/old.csv
+fails 2 "a free surface" "--surface" $earth --sites random:9 --random-weights 1,2 --surface free -o out/old.csv
+fails 2 "a density" "--density" $earth --sites random:9 --density in/map.png -o out/old.csv
+
+# Outlines on the globe: each run checks its cells, and the area is that of the outline on the ellipsoid.
+globe() {
+  name="$1 on the globe"
+  cases=$((cases + 1))
+  local low=$2 high=$3
+  shift 3
+  run 0 $cells --globe --quiet "$@"
+  area "$low" "$high"
+}
+globe "a box across 180 degrees" 2473440 2473460 --sites random:300 --domain 170,50,190,70
+globe "the cap of a pole" 34415810 34415820 --sites random:300 --domain -180,-90,180,-60
+globe "a belt around a pole" 30507250 30507270 --sites random:300 --domain -180,-80,180,-60
+globe "a box that no site is in" 12253 12254 --sites random:9 --domain 10,5,11,6
+globe "Italy" 300000 303000 --sites "$navaids" --domain "$italy"
+globe "weights in a box" 12253 12254 --sites random:300 --random-weights 0,1e6 --domain 10,5,11,6
+printf '{"type":"FeatureCollection","features":[
+{"type":"Feature","properties":{"name":"east"},"geometry":{"type":"Polygon","coordinates":[[[178,-20],[180,-20],[180,-15],[178,-15],[178,-20]]]}},
+{"type":"Feature","properties":{"name":"west"},"geometry":{"type":"Polygon","coordinates":[[[-180,-20],[-179,-20],[-179,-15],[-180,-15],[-180,-20]]]}},
+{"type":"Feature","properties":{"name":"far"},"geometry":{"type":"Polygon","coordinates":[[[0,10],[2,10],[2,12],[0,12],[0,10]]]}}]}' >in/fiji.geojson
+globe "what a file cuts at 180 degrees" 224600 224603 --sites random:3000 --domain in/fiji.geojson
+succeeds "parts by name on the globe" cells --backend cpu --globe --check --quiet --sites random:3000 --domain in/fiji.geojson --by name -o out/parts.csv
+awk -F, 'NR > 1 { share[$1] += $NF } END { for (name in share) if (share[name] < 0.999999 || share[name] > 1.000001) exit 1; exit length(share) != 3 }' out/parts.csv ||
+  fail "the shares of a part do not add up to 1"
+fails 2 "a box of the whole Earth" "it is the whole Earth" cells --globe --sites random:9 --domain -180,-90,180,90 -o out/s.csv
+fails 2 "an outline around the Earth" "on the globe a polygon reaches at most 88" cells --globe --sites random:9 --domain -180,-90,180,0 -o out/s.csv
+fails 2 "a margin on the globe" "--globe: is without --margin" cells --globe --sites "$navaids" --margin 1 -o out/s.csv
+fails 2 "a system of a plane on the globe" "not degrees" cells --globe --sites random:9 --crs EPSG:25832 -o out/s.csv
 
 finish

@@ -184,22 +184,27 @@ std::vector<Ring> ringsOf(const Diagram& diagram, std::size_t site) {
 
 bool hasPolygon(const Diagram& diagram, std::size_t site) {
   // On the globe a cell of two vertices has one, and so has the only cell.
-  if (!diagram.solid_angle.empty()) return diagram.status[site] == Status::ok;
+  if (!diagram.solid_angle.empty() && diagram.ring_starts.empty()) return diagram.status[site] == Status::ok;
   return !ringsOf(diagram, site).empty();
+}
+
+void CellPolygons::addOnGlobe(const Outline& outline) {
+  for (std::size_t p = 0; p + 1 < outline.polygon_offsets.size(); ++p) {
+    Rings& rings = polygons_.emplace_back();
+    for (auto r = outline.polygon_offsets[p]; r < outline.polygon_offsets[p + 1]; ++r) {
+      const auto begin = outline.ring_offsets[r], end = outline.ring_offsets[r + 1];
+      const auto ring = std::span(outline.points).subspan(begin, end - begin);
+      rings.push_back(new_rings_.emplace_back(ring.begin(), ring.end()));
+    }
+  }
 }
 
 CellPolygons::CellPolygons(const Sites& sites, const Diagram& diagram, std::size_t site,
                            const CoordinateSystem& system) {
-  if (!system.on_globe) {
-    *this = CellPolygons(diagram, site, system);
+  if (system.on_globe) {
+    addOnGlobe(globePolygons(sites, diagram, site));
     return;
   }
-  for (auto& ring : globePolygons(sites, diagram, site)) {
-    polygons_.push_back({new_rings_.emplace_back(std::move(ring))});
-  }
-}
-
-CellPolygons::CellPolygons(const Diagram& diagram, std::size_t site, const CoordinateSystem& system) {
   std::optional<Round> open;
   const auto close = [&](const std::vector<Point>& back) {
     std::vector<Point> ring = std::move(open->points);

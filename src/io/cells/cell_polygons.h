@@ -38,8 +38,6 @@ class CellPolygons {
  public:
   using Rings = std::vector<std::span<const Point>>;
 
-  CellPolygons(const Diagram& diagram, std::size_t site, const CoordinateSystem& system);
-  /// Also of cells on the globe.
   CellPolygons(const Sites& sites, const Diagram& diagram, std::size_t site, const CoordinateSystem& system);
 
   [[nodiscard]] bool empty() const { return polygons_.empty(); }
@@ -47,6 +45,8 @@ class CellPolygons {
   [[nodiscard]] const Rings& operator[](std::size_t polygon) const { return polygons_[polygon]; }
 
  private:
+  void addOnGlobe(const Outline& outline);
+
   std::vector<Rings> polygons_;
   std::list<std::vector<Point>> new_rings_;  ///< rings that are not in the diagram
 };

@@ -89,7 +89,7 @@ Result<void> writePieceFeatures(ByteSink& sink, FeaturesAs as, const PiecesOutpu
       printJsonValue(text, output.attributes[a], piece.site);
     }
     text.append(std::string_view("},"));
-    printGeometry(text, {output.pieces.cells, k, output.system});
+    printGeometry(text, {output.sites, output.pieces.cells, k, output.system});
     text.push_back('}');
     return true;
   };
@@ -116,7 +116,7 @@ Result<void> writeGpkgPieces(ByteSink& sink, const PiecesOutput& output) {
   Wkb wkb;
   return writeGeoPackage(sink, layer, output.pieces.size(), [&](std::size_t k, FeatureRow& row) {
     const Piece piece = pieceAt(output, k);
-    setPolygons(row, wkb, {output.pieces.cells, k, output.system});
+    setPolygons(row, wkb, {output.sites, output.pieces.cells, k, output.system});
     addValue(row, output.by, piece.feature);
     row.add(std::int64_t{piece.site});
     for (const PieceNumber& number : piece.all()) row.add(number.value);

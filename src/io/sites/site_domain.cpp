@@ -311,20 +311,24 @@ void noteNowhere(const Request& request) {
                            boxText(named), words.sites, boxText(all)));
 }
 
-/// Takes the whole Earth as the domain. Patterns are spread evenly over it.
+/// Takes the whole Earth, or an outline on it, as the domain. Patterns are spread evenly over it.
 Result<void> takeGlobe(const Request& request) {
   const auto& [settings, placed, words] = request;
-  const bool has_domain = !settings.outline.empty() || settings.box || settings.hull || settings.margin;
-  if (has_domain || settings.project || placed.periodic != Periodic::none) {
-    return inputError(fmt::format("{}: is the whole Earth, without {}, {}, {} or {}", words.globe,
-                                  words.domain, words.margin, words.project, words.periodic));
+  if (settings.hull || settings.margin || settings.project || placed.periodic != Periodic::none) {
+    return inputError(fmt::format("{}: is without {}, {}, {} and the sites' hull", words.globe, words.margin,
+                                  words.project, words.periodic));
   }
-  if (placed.system.kind == CoordinateKind::plane) {
+  const auto isPlane = [](const CoordinateSystem& system) { return system.kind == CoordinateKind::plane; };
+  if (isPlane(placed.system) || isPlane(settings.outline_system)) {
     return inputError(fmt::format("{}: {} says that its coordinates are those of a plane, not degrees",
-                                  words.globe, words.sites));
+                                  words.globe, isPlane(placed.system) ? words.sites : words.domain));
+  }
+  VORPIPE_LET(degrees, outlineInDegrees(request));
+  if (!degrees.empty()) {
+    VORPIPE_TRY(takeOutlines(mendedOnGlobe, request, degrees));
   }
   placed.globe = true;
-  placed.system = degreesOf(placed.system);
+  placed.system = degreesOf(hasName(placed.system) ? placed.system : settings.outline_system);
   placed.system.on_globe = true;
   placed.domain = {-180, -90, 180, 90};
   if (placed.from == SitesFrom::generator) placed.sites = spreadOverGlobe(std::move(placed.sites));
