@@ -128,6 +128,10 @@ class GlobeFaces {
 }  // namespace
 
 Result<CellsMesh> globeMesh(const ByteSink& sink, const Sites& sites, const Diagram& diagram) {
+  if (!diagram.ring_starts.empty()) {
+    return inputError(fmt::format(
+        "{}: cells in an outline on the globe are no faces; .gpkg and .geojson have them", sink.name()));
+  }
   constexpr std::uint64_t largest = std::numeric_limits<std::int32_t>::max();
   // .vtk stores one count of all faces plus their corners.
   if (diagram.vertices.size() + diagram.size() > largest) {

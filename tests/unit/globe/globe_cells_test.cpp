@@ -154,10 +154,22 @@ TEST(SphereCells, TurnWithTheirSites) {
   EXPECT_EQ(turns, 24);
 }
 
+/// The rings of an outline.
+std::vector<std::vector<Point>> ringsOf(const Outline& outline) {
+  std::vector<std::vector<Point>> rings;
+  for (std::size_t r = 0; r + 1 < outline.ring_offsets.size(); ++r) {
+    const auto point = [&](std::uint64_t k) {
+      return outline.points.begin() + static_cast<std::ptrdiff_t>(k);
+    };
+    rings.emplace_back(point(outline.ring_offsets[r]), point(outline.ring_offsets[r + 1]));
+  }
+  return rings;
+}
+
 /// The area in square degrees of rings of longitude and latitude.
-double areaOf(const std::vector<std::vector<Point>>& polygons) {
+double areaOf(const std::vector<std::vector<Point>>& rings) {
   double twice = 0;
-  for (const auto& ring : polygons) {
+  for (const auto& ring : rings) {
     for (std::size_t k = 0; k < ring.size(); ++k) {
       const Point a = ring[k], b = ring[(k + 1) % ring.size()];
       twice += a.x * b.y - b.x * a.y;
@@ -172,7 +184,7 @@ TEST(GlobePolygons, FillTheMapOnce) {
     const Diagram cells = cellsOf(set.sites, ofGlobe());
     double sum = 0;
     for (std::size_t i = 0; i < cells.size(); ++i) {
-      const auto polygons = globePolygons(set.sites, cells, i);
+      const auto polygons = ringsOf(globePolygons(set.sites, cells, i));
       EXPECT_EQ(polygons.empty(), cells.status[i] != Status::ok);
       for (const auto& ring : polygons) {
         EXPECT_GE(ring.size(), 3u);
