@@ -23,7 +23,7 @@ using ::testing::UnorderedElementsAre;
 
 constexpr double whole_sphere = 4 * std::numbers::pi;
 
-std::vector<std::int64_t> neighborsOf(const Diagram& cells, std::size_t site) {
+std::vector<std::int64_t> neighborsAround(const Diagram& cells, std::size_t site) {
   const auto neighbors = cells.cell(site).neighbors();
   return {neighbors.begin(), neighbors.end()};
 }
@@ -39,7 +39,7 @@ TEST(GlobeCellsOf, OneSiteAreTheWholeEarth) {
 TEST(GlobeCellsOf, TwoSitesAreHalvesWithOneEdge) {
   const Diagram cells = cellsOf({{10, -170}, {20, -20}, {}}, ofGlobe());
   EXPECT_THAT(cells.solid_angle, Each(DoubleNear(whole_sphere / 2, 1e-14)));
-  EXPECT_THAT(neighborsOf(cells, 0), ElementsAre(1));
+  EXPECT_THAT(neighborsAround(cells, 0), ElementsAre(1));
   EXPECT_NEAR(cells.edge_lengths[0], 2 * std::numbers::pi * 6371.0071809, 1e-6);
   // Across the equator the sphere and the ellipsoid are as symmetric.
   EXPECT_NEAR(cells.area[0] / cells.area[1], 1, 1e-14);
@@ -48,7 +48,7 @@ TEST(GlobeCellsOf, TwoSitesAreHalvesWithOneEdge) {
 TEST(GlobeCellsOf, SitesOnACircleAreSlices) {
   const Diagram cells = cellsOf({{0, 90, 180, -90}, {50, 50, 50, 50}, {}}, ofGlobe());
   EXPECT_THAT(cells.solid_angle, Each(DoubleNear(std::numbers::pi, 1e-13)));
-  EXPECT_THAT(neighborsOf(cells, 0), ElementsAre(1, 3));
+  EXPECT_THAT(neighborsAround(cells, 0), ElementsAre(1, 3));
   EXPECT_TRUE(cells.triangles.empty());
   for (const Point vertex : cells.vertices) EXPECT_NEAR(std::abs(vertex.y), 90, 1e-12);
 }
@@ -56,7 +56,7 @@ TEST(GlobeCellsOf, SitesOnACircleAreSlices) {
 TEST(GlobeCellsOf, LatticesHaveTheirSquares) {
   const Diagram cube = cellsOf(
       {{45, 135, -135, -45, 45, 135, -135, -45}, {30, 30, 30, 30, -30, -30, -30, -30}, {}}, ofGlobe());
-  EXPECT_THAT(neighborsOf(cube, 0), UnorderedElementsAre(1, 3, 4));
+  EXPECT_THAT(neighborsAround(cube, 0), UnorderedElementsAre(1, 3, 4));
   const Sites grid = degreeGrid(2, true);
   const Diagram cells = cellsOf(grid, ofGlobe());
   // 180 sites are at each pole, and one owns the cell.
@@ -155,7 +155,7 @@ TEST(SphereCells, TurnWithTheirSites) {
 }
 
 /// The rings of an outline.
-std::vector<std::vector<Point>> ringsOf(const Outline& outline) {
+std::vector<std::vector<Point>> ringsInDegrees(const Outline& outline) {
   std::vector<std::vector<Point>> rings;
   for (std::size_t r = 0; r + 1 < outline.ring_offsets.size(); ++r) {
     const auto point = [&](std::uint64_t k) {
@@ -167,7 +167,7 @@ std::vector<std::vector<Point>> ringsOf(const Outline& outline) {
 }
 
 /// The area in square degrees of rings of longitude and latitude.
-double areaOf(const std::vector<std::vector<Point>>& rings) {
+double areaInDegrees(const std::vector<std::vector<Point>>& rings) {
   double twice = 0;
   for (const auto& ring : rings) {
     for (std::size_t k = 0; k < ring.size(); ++k) {
@@ -184,14 +184,14 @@ TEST(GlobePolygons, FillTheMapOnce) {
     const Diagram cells = cellsOf(set.sites, ofGlobe());
     double sum = 0;
     for (std::size_t i = 0; i < cells.size(); ++i) {
-      const auto polygons = ringsOf(globePolygons(set.sites, cells, i));
+      const auto polygons = ringsInDegrees(globePolygons(set.sites, cells, i));
       EXPECT_EQ(polygons.empty(), cells.status[i] != Status::ok);
       for (const auto& ring : polygons) {
         EXPECT_GE(ring.size(), 3u);
         for (const Point p : ring)
           EXPECT_TRUE(std::abs(p.x) <= 180 && std::abs(p.y) <= 90) << p.x << " " << p.y;
       }
-      sum += areaOf(polygons);
+      sum += areaInDegrees(polygons);
     }
     EXPECT_NEAR(sum, 360 * 180, 1e-6);
   }
