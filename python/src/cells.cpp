@@ -50,7 +50,7 @@ void saveEdges(const CellsResult& result, const std::string& path, int threads) 
   requireDetail(result, format.extension, Detail::polygons);
   saveFile(path, result.input->files, [&](ByteSink& sink) -> Result<void> {
     VORPIPE_LET(topology, topologyOf(result, threads));
-    return writeLines(sink, edgesOf(result.shown(), topology, result.system()), format);
+    return writeLines(sink, edgesOf(result.sites(), result.shown(), topology, result.system()), format);
   });
 }
 
@@ -117,6 +117,7 @@ void defineCells(py::module_& module) {
       // Indices have signs, so that their differences do (decision D132).
       .def_property_readonly("owner", viewed<std::int32_t>(&Diagram::owner))
       .def_property_readonly("areas", viewed<double>(&Diagram::area))
+      .def_property_readonly("solid_angles", viewed<double>(&Diagram::solid_angle))
       .def_property_readonly("perimeters", viewed<double>(&Diagram::perimeter))
       .def_property_readonly("centroids", viewed<double>(&Diagram::centroid))
       .def_property_readonly("second_moments", viewed<double>(&Diagram::second_moments))

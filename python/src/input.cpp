@@ -98,6 +98,7 @@ DomainSettings settingsOf(const DomainArguments& arguments) {
     settings.project.emplace();
     if (arguments.center) settings.project->center = Point{(*arguments.center)[0], (*arguments.center)[1]};
   }
+  settings.globe = arguments.globe;
   return settings;
 }
 
@@ -203,11 +204,11 @@ void defineInput(py::module_& module) {
       .def(py::init([](const std::optional<std::array<double, 4>>& box, bool hull,
                        const std::optional<OutlineArrays>& outline,
                        const std::optional<std::pair<double, bool>>& margin, bool repair, bool project,
-                       const std::optional<std::array<double, 2>>& center) {
-             return DomainArguments{box, hull, outline, margin, repair, project, center};
+                       const std::optional<std::array<double, 2>>& center, bool globe) {
+             return DomainArguments{box, hull, outline, margin, repair, project, center, globe};
            }),
            py::arg("box"), py::arg("hull"), py::arg("outline"), py::arg("margin"), py::arg("repair"),
-           py::arg("project"), py::arg("center"));
+           py::arg("project"), py::arg("center"), py::arg("globe"));
   // pybind11 holds no pointers to constants; nothing here changes one once it is made.
   py::class_<Input, std::shared_ptr<Input>>(module, "Input", "Points and where they have cells.")
       .def(py::init([](const GivenPoints& points, const std::optional<Numbers>& weights,
@@ -232,6 +233,7 @@ void defineInput(py::module_& module) {
                                if (input.periodic == Periodic::none) return pointsOf(input.sites);
                                return pointsOf(valueOf(wrapped(input.sites, input.domain, input.periodic)));
                              })
+      .def_property_readonly("globe", [](const Input& input) { return input.globe; })
       .def_property_readonly("free_surface",
                              [](const Input& input) { return input.surface == Surface::free; })
       .def_property_readonly("weights",

@@ -47,6 +47,7 @@ struct DomainArguments {
   bool repair;
   bool project;
   std::optional<std::array<double, 2>> center;  ///< of the projection
+  bool globe;
 };
 
 /// The sites of a run: of a table, or points (N, 2), as vorpipe/_arguments.py has seen to.

@@ -228,6 +228,7 @@ CellsOptions cellsOptionsOf(const Input& input) {
   options.domain = input.domain;
   options.outline = input.outline;
   options.periodic = input.periodic;
+  options.globe = input.globe;
   options.density = input.density;
   return options;
 }

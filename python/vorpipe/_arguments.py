@@ -115,8 +115,8 @@ def project_of(value: Any) -> Tuple[bool, Optional[Tuple[float, float]]]:
 
 
 def domain_of(domain: Any, margin: Union[None, float, str] = None, repair: bool = False, project: Any = None,
-              layer: Optional[str] = None) -> _vorpipe.Domain:
-    """A box, "hull", or an outline."""
+              layer: Optional[str] = None, globe: bool = False) -> _vorpipe.Domain:
+    """A box, "hull", or an outline; or the whole Earth."""
     hull = isinstance(domain, str) and domain == 'hull'
     is_outline = domain is not None and not hull and _is_outline(domain)
     if isinstance(domain, str) and not (hull or os.path.splitext(domain)[1]):
@@ -126,7 +126,7 @@ def domain_of(domain: Any, margin: Union[None, float, str] = None, repair: bool 
     wanted, center = project_of(project)
     return _vorpipe.Domain(None if hull or is_outline else box_of(domain), hull,
                            outline_of(domain, layer) if is_outline else None, margin_of(margin),
-                           flag_of('repair', repair), wanted, center)
+                           flag_of('repair', repair), wanted, center, flag_of('globe', globe))
 
 
 def _is_outline(domain: Any) -> bool:

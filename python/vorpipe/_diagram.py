@@ -87,7 +87,7 @@ class Diagram(Shown):
         return f'<vorpipe.Diagram: {report.ok} cells of {len(self)} points, {report.backend}>'
 
     def _pixels(self) -> Optional[npt.NDArray[np.uint8]]:
-        return pixels_of_cells(self._cells.input)
+        return None if self.globe else pixels_of_cells(self._cells.input)
 
     def _repr_svg_(self) -> Optional[str]:
         if len(self) > MOST_EDGES or self.detail == 'measures':
@@ -102,6 +102,10 @@ class Diagram(Shown):
         if details.index(self.detail) < details.index(detail):
             raise _scalars.refuse('detail', f'{name} takes detail={detail!r}, the cells were computed with '
                                               f'{self.detail!r}')
+
+    def _needs_plane(self, name: str) -> None:
+        if self.globe:
+            raise _scalars.refuse('globe', f'{name} is of cells in a plane')
 
     # What it is about
 
@@ -150,6 +154,11 @@ class Diagram(Shown):
         return self._cells.input.periodic
 
     @property
+    def globe(self) -> bool:
+        """Whether cells are those on the globe."""
+        return self._cells.input.globe
+
+    @property
     def detail(self) -> str:
         """ "measures", "polygons" or "all": which arrays there are."""
         return self._cells.detail
@@ -177,6 +186,11 @@ class Diagram(Shown):
         return self._cells.areas
 
     @property
+    def solid_angles(self) -> Floats:
+        """(N,): of cells on the globe, steradians: 4 pi in all; (0,) in a plane."""
+        return self._cells.solid_angles
+
+    @property
     def perimeters(self) -> Floats:
         """(N,)."""
         self._needs('polygons', 'perimeters')
@@ -191,6 +205,7 @@ class Diagram(Shown):
     def second_moments(self) -> Floats:
         """(N, 3): about the centroid: the integrals of xx, xy and yy."""
         self._needs('polygons', 'second_moments')
+        self._needs_plane('second_moments')
         return self._cells.second_moments
 
     @property
@@ -258,6 +273,7 @@ class Diagram(Shown):
     def triangle_mesh(self) -> TriangleMesh:
         """The cells as a vertex buffer and an index buffer."""
         self._needs('polygons', 'triangle_mesh')
+        self._needs_plane('triangle_mesh')
         return TriangleMesh(*self._cells.triangle_mesh())
 
     def area_sum(self) -> float:
@@ -295,6 +311,8 @@ class Diagram(Shown):
     def locate(self, places: Any, threads: Optional[int] = None) -> npt.NDArray[np.int64]:
         """(P,): the point whose cell holds each of the places (P, 2); `NO_SITE` beyond the domain.
 
+        On the globe places are in degrees.
+
         Of one place, (x, y), it is one number. The first call prepares a search tree, which the diagram keeps.
         """
         wanted = _tables.places_of(places, self._cells.input.system)
@@ -320,6 +338,7 @@ class Diagram(Shown):
         By weights it is symmetric, -length / (2 distance) for two cells that share an edge, and each row adds up to 0.
         With `project`, points are those of the plane, in kilometers. Walls stay where they are.
         """
+        self._needs_plane('area_jacobian')
         from ._matrices import area_jacobian
         return area_jacobian(self, by)
 
@@ -330,6 +349,7 @@ class Diagram(Shown):
         and weights times points are the place itself. A row beyond the hull of the points is empty. For points without
         weights, and detail="all".
         """
+        self._needs_plane('natural_neighbors')
         from ._matrices import natural_neighbors
         return natural_neighbors(self, places, threads)
 
@@ -338,6 +358,7 @@ class Diagram(Shown):
 
         By natural neighbors: smooth but at the points, exact for linear functions, NaN beyond the hull of the points.
         """
+        self._needs_plane('interpolate')
         from ._matrices import interpolated
         return interpolated(self, values, places, threads)
 

@@ -62,6 +62,9 @@ def cells(points: Any, weights: Any = None, domain: Any = None, *, backend: str 
         surface: "free" where air is around the cells: each ends at a disc around its point, whose squared radius is
             the weight. Arcs are lines, whose neighbor is `Wall.OUTLINE`; `Cell.border` has them. There are no
             triangles; outlines, periods, densities and `check` are not for it yet.
+        globe: points are degrees of longitude and latitude, of any turn, and cells are those on the sphere: of the
+            whole Earth, without a domain. Areas are square kilometers on the ellipsoid, lengths kilometers, weights
+            squares of radii in kilometers. Brings `solid_angles`.
 
     Ctrl-C stops it, other threads of Python go on meanwhile.
 

@@ -38,6 +38,7 @@ class CellsOptions(DensityOptions, total=False):
     surface: Optional[str]
     check: bool
     detail: str
+    globe: bool
 
 
 class PictureOptions(RunOptions, total=False):
@@ -86,7 +87,7 @@ class TransportOptions(DensityOptions, total=False):
 
 # Others are None.
 _USUAL: Dict[Any, Dict[str, Any]] = {
-    CellsOptions: {'check': False, 'detail': 'all'},
+    CellsOptions: {'check': False, 'detail': 'all', 'globe': False},
     PictureOptions: {**_vorpipe.MARKS, 'dot_size': None, 'color': 'site', 'legend': False, 'fill': True,
                      'check': False},
     RelaxOptions: _vorpipe.RELAX,

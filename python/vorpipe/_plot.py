@@ -5,7 +5,7 @@ from typing import TYPE_CHECKING, Any, Dict, Optional
 
 import numpy as np
 
-from . import _arguments, _scalars
+from . import _arguments, _scalars, _vorpipe
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -20,7 +20,7 @@ def plot_cells(diagram: Diagram, ax: Optional[Axes], color: Any, show_sites: boo
 
     ax = _axes(ax)
     counts = np.diff(diagram.cell_offsets)
-    drawn = np.flatnonzero(counts)
+    drawn = np.flatnonzero(diagram.status == 0 if diagram.globe else counts)
     options = {'edgecolor': 'black', 'linewidth': 0.5, **properties}
     paths = PathCollection(_paths(diagram, drawn), transform=ax.transData, **options)
     if color is None:
@@ -31,7 +31,10 @@ def plot_cells(diagram: Diagram, ax: Optional[Axes], color: Any, show_sites: boo
     ax.add_collection(paths, autolim=False)
     if show_sites:
         ax.plot(*diagram.sites.T, '.', color='black', markersize=2)
-    _frame(ax, diagram.cell_vertices.min(axis=0), diagram.cell_vertices.max(axis=0))
+    if diagram.globe:
+        _frame(ax, (-180, -90), (180, 90))
+    else:
+        _frame(ax, diagram.cell_vertices.min(axis=0), diagram.cell_vertices.max(axis=0))
     return ax
 
 
@@ -64,6 +67,11 @@ def _values(diagram: Diagram, color: Any) -> _arguments.Floats:
 def _paths(diagram: Diagram, drawn: Any) -> Any:
     from matplotlib.path import Path
 
+    if diagram.globe:
+        # 180 degrees cuts cells.
+        parts = [_vorpipe.polygons_of(diagram._cells, int(site)) for site in drawn]
+        return [Path.make_compound_path(*(Path(np.concatenate((ring, ring[:1])), closed=True)
+                                          for polygon in polygons for ring in polygon)) for polygons in parts]
     if not len(diagram.ring_starts):
         polygons = diagram.polygons()
         return [Path(np.concatenate((polygons[site], polygons[site][:1])), closed=True) for site in drawn]

@@ -23,8 +23,8 @@ def shapely_polygons(diagram: Diagram) -> List[Any]:
     from shapely.geometry import Polygon
 
     cells = diagram._cells
-    if cells.input.center is not None:
-        # A cell around a pole is a polygon of longitude and latitude by way of the pole.
+    if cells.input.center is not None or diagram.globe:
+        # On the globe edges are great circles, and 180 degrees cuts cells. A cell around a pole is a polygon of longitude and latitude by way of the pole.
         return [_shape([Polygon(outer, holes) for outer, *holes in _vorpipe.polygons_of(cells, i)])
                 for i in range(len(cells))]
     if not len(diagram.ring_starts):

@@ -240,6 +240,12 @@ Result<int> threadsOf(std::int32_t threads) {
   return inputError(fmt::format("threads: is {}", threads));
 }
 
+/// Refuses an input on the globe for what a plane alone has.
+Result<void> refuseGlobe(const PlacedInput& placed, std::string_view what) {
+  if (!placed.domain.globe) return {};
+  return inputError(fmt::format("globe: {} of a plane, and this input is on the globe", what));
+}
+
 Result<CellsOptions> cellsOptions(const vorpipe_input& input, const PlacedInput& placed,
                                   const vorpipe_cells_options* given) {
   VORPIPE_LET(taken_options, taken(given, "vorpipe_cells_options"));
@@ -250,6 +256,7 @@ Result<CellsOptions> cellsOptions(const vorpipe_input& input, const PlacedInput&
   options.domain = placed.domain.domain;
   options.outline = placed.domain.outline;
   options.periodic = placed.domain.periodic;
+  options.globe = placed.domain.globe;
   options.density = input.density;
   options.search = search;
   options.detail = detail;
@@ -259,6 +266,7 @@ Result<CellsOptions> cellsOptions(const vorpipe_input& input, const PlacedInput&
 
 Result<RenderOptions> renderOptions(const PlacedInput& placed, const vorpipe_render_options* given) {
   VORPIPE_LET(taken_options, taken(given, "vorpipe_render_options"));
+  VORPIPE_TRY(refuseGlobe(placed, "pictures are"));
   constexpr std::array colors{ColorBy::site, ColorBy::area, ColorBy::neighbors, ColorBy::weight};
   VORPIPE_LET(color, chosen(colors, taken_options.color, "color"));
   VORPIPE_LET(search, searchOf(taken_options.search, taken_options.search_neighbors));
@@ -290,6 +298,7 @@ Result<RenderOptions> renderOptions(const PlacedInput& placed, const vorpipe_ren
 
 Result<CellsOptions> movingOptions(const vorpipe_input& input, const PlacedInput& placed,
                                    vorpipe_search search, std::int32_t neighbors) {
+  VORPIPE_TRY(refuseGlobe(placed, "sites that move are"));
   vorpipe_cells_options options{};
   options.struct_size = sizeof(options);
   options.search = search;

@@ -63,6 +63,8 @@ Result<vorpipe_array> arrayOf(const Diagram& diagram, vorpipe_diagram_field fiel
       return array(diagram.mass, VORPIPE_DOUBLE);
     case VORPIPE_CELL_MASS_CENTROID:
       return array(diagram.mass_centroid, VORPIPE_DOUBLE);
+    case VORPIPE_CELL_SOLID_ANGLE:
+      return array(diagram.solid_angle, VORPIPE_DOUBLE);
     case VORPIPE_TRIANGLES:
       return array(diagram.triangles, VORPIPE_UINT32);
     default:
@@ -217,6 +219,7 @@ vorpipe_code vorpipe_diagram_array(const vorpipe_diagram* diagram, vorpipe_diagr
                                    vorpipe_array* array) {
   VORPIPE_NEEDS(diagram, array);
   return guarded([&] {
+    if (field == VORPIPE_CELL_SOLID_ANGLE) return give(arrayOf(diagram->diagram, field), array);
     if (field > VORPIPE_BORDER_NEIGHBORS) return give(meshArrayOf(*diagram, field), array);
     if (field > VORPIPE_EDGE_CELLS) return give(borderArrayOf(*diagram, field), array);
     const bool shared = field >= VORPIPE_SHARED_VERTICES;

@@ -31,6 +31,7 @@ DomainWords wordsFor(const vorpipe_input& input) {
           "project",
           "vorpipe_input_project",
           "vorpipe_input_project",
+          "globe",
           "periodic",
           "density",
           "vorpipe_input_set_density_box"};
@@ -61,8 +62,8 @@ Result<PlacedInput> foundFor(const vorpipe_input& input) {
     VORPIPE_TRY(findDomain(input.domain, found, wordsFor(input)));
   }
   if (found.projection) placed.given = givenInDegrees(found);
-  const bool moved =
-      found.projection || (input.from == SitesFrom::generator && !input.domain.outline.empty());
+  const bool moved = found.projection ||
+                     (input.from == SitesFrom::generator && (found.globe || !input.domain.outline.empty()));
   if (moved) placed.sites = std::make_shared<const Sites>(std::exchange(found.sites, {}));
   if (moved && !found.projection) placed.given = placed.sites;
   found.sites = {};
@@ -83,6 +84,10 @@ Result<PlacedInput> keptFor(const vorpipe_input& input) {
   if (placed.domain.projection) {
     system = degreesOf(system);
     system.from_plane_around = placed.domain.projection->center();
+  }
+  if (placed.domain.globe) {
+    system = degreesOf(system);
+    system.on_globe = true;
   }
   Sites sites = *placed.sites;
   sites.weight = input.sites->weight;
@@ -145,13 +150,14 @@ Result<void> fillBox(vorpipe_input& input, const std::optional<Box>& box) {
   return {};
 }
 
-/// Replaces the clipping domain; the margin and the projection setting stay.
+/// Replaces the clipping domain; the margin, the projection setting and the globe stay.
 vorpipe_code setDomain(vorpipe_input& input, DomainSettings domain, Periodic periodic = Periodic::none) {
   if (input.domain.box || domain.box) {
     if (auto filled = fillBox(input, domain.box); !filled) return fail(filled.error());
   }
   domain.margin = input.domain.margin;
   domain.project = input.domain.project;
+  domain.globe = input.domain.globe;
   domain.repair = input.domain.repair && !domain.outline.empty();
   input.domain = std::move(domain);
   input.periodic = periodic;
@@ -286,6 +292,15 @@ vorpipe_code vorpipe_input_project(vorpipe_input* input, double longitude, doubl
       if (auto projection = Projection::around(*choice.center); !projection) return fail(projection.error());
     }
     input->domain.project = choice;
+    findAnew(*input);
+    return vorpipe_code{VORPIPE_DONE};
+  });
+}
+
+vorpipe_code vorpipe_input_set_globe(vorpipe_input* input) {
+  VORPIPE_NEEDS(input);
+  return guarded([&] {
+    input->domain.globe = true;
     findAnew(*input);
     return vorpipe_code{VORPIPE_DONE};
   });

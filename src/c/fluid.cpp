@@ -57,6 +57,7 @@ bool hasArrays(const vorpipe_fluid_options& wanted) {
 /// density; arrays that do not match its sites; a number that names nothing.
 Result<FluidSetup> fluidSetup(const vorpipe_input& input, const PlacedInput& placed,
                               const vorpipe_fluid_options& wanted) {
+  if (placed.domain.globe) return inputError("globe: a fluid has its sites in a plane");
   if (placed.domain.projection)
     return inputError("project: a fluid has its sites in a plane, not in degrees");
   if (!input.density.values.empty()) return inputError("density: a fluid has densities by site");

@@ -41,7 +41,8 @@ Result<void> writeAs(ByteSink& to, const vorpipe_diagram& diagram, const CellsFo
 Result<void> writeEdgesAs(ByteSink& to, const vorpipe_diagram& diagram, const EdgesFormat& format) {
   const auto& topology = sharedPartsOf(diagram);
   if (!topology) return tl::unexpected(topology.error());
-  return writeLines(to, edgesOf(diagram.diagram, *topology, systemOf(*diagram.input)), format);
+  return writeLines(to, edgesOf(*diagram.input->given, diagram.diagram, *topology, systemOf(*diagram.input)),
+                    format);
 }
 
 /// Writes pixels, ids or their place, by the extension.

@@ -211,6 +211,11 @@ class Input {
     done(vorpipe_input_set_margin(get(), margin, relative ? 1 : 0));
     return *this;
   }
+  /// Sites are degrees of the whole Earth; of cells alone.
+  Input& globe() {
+    done(vorpipe_input_set_globe(get()));
+    return *this;
+  }
   /// Around a center amid the domain or the sites, or one in degrees.
   Input& project() { return project(std::nan(""), std::nan("")); }
   Input& project(double longitude, double latitude) {
@@ -331,6 +336,8 @@ class Diagram {
   [[nodiscard]] View<double> area() const { return view<double>(VORPIPE_CELL_AREA); }
   [[nodiscard]] View<double> perimeter() const { return view<double>(VORPIPE_CELL_PERIMETER); }
   [[nodiscard]] View<Point> centroid() const { return view<Point>(VORPIPE_CELL_CENTROID); }
+  /// Steradians, of the globe.
+  [[nodiscard]] View<double> solidAngle() const { return view<double>(VORPIPE_CELL_SOLID_ANGLE); }
   [[nodiscard]] View<std::array<double, 3>> secondMoments() const {
     return view<std::array<double, 3>>(VORPIPE_CELL_SECOND_MOMENTS);
   }

@@ -251,6 +251,9 @@ VORPIPE_API vorpipe_code vorpipe_input_set_margin(vorpipe_input* input, double m
  * center, or with NAN, NAN amid the domain or the sites. Its unit is the kilometer, that of areas and
  * lengths; positions of diagrams come back in degrees, and a locator takes them. */
 VORPIPE_API vorpipe_code vorpipe_input_project(vorpipe_input* input, double longitude, double latitude);
+/* Sites are degrees of longitude and latitude of the whole Earth, which is the domain: cells are those on the
+ * sphere, areas square kilometers on the ellipsoid, lengths kilometers. Of cells alone. */
+VORPIPE_API vorpipe_code vorpipe_input_set_globe(vorpipe_input* input);
 /* What lies around cells. */
 typedef int32_t vorpipe_surface;
 enum {
@@ -422,7 +425,8 @@ enum {
    * VORPIPE_EVERYTHING and VORPIPE_POLYGONS. */
   VORPIPE_MESH_VERTICES = 25, /* 2 floats: VORPIPE_CELL_VERTICES, rounded */
   VORPIPE_MESH_SITES = 26,    /* by vertex: uint32 */
-  VORPIPE_MESH_TRIANGLES = 27 /* 3 uint32: vertices, counter-clockwise, cell after cell */
+  VORPIPE_MESH_TRIANGLES = 27, /* 3 uint32: vertices, counter-clockwise, cell after cell */
+  VORPIPE_CELL_SOLID_ANGLE = 28 /* by site: double, steradians; of the globe */
 };
 
 /* Writes an array of the diagram, which it keeps. One that this diagram does not have is empty. */

@@ -44,7 +44,15 @@ std::vector<SitePair> pairsOnLine(const Sites& sites, const Diagram& diagram) {
 
 std::vector<SitePair> triangulationEdges(const Sites& sites, const Diagram& diagram) {
   std::vector<SitePair> pairs;
-  if (diagram.triangles.empty()) {
+  if (diagram.triangles.empty() && !diagram.solid_angle.empty()) {
+    // Slices of the globe follow each other around a circle.
+    for (const Cell cell : diagram) {
+      for (const std::int64_t other : cell.neighbors()) {
+        const auto a = static_cast<std::uint32_t>(cell.index()), b = static_cast<std::uint32_t>(other);
+        pairs.push_back({std::min(a, b), std::max(a, b)});
+      }
+    }
+  } else if (diagram.triangles.empty()) {
     pairs = pairsOnLine(sites, diagram);
   } else {
     constexpr std::size_t sides = 3;

@@ -46,7 +46,7 @@ CellsSink sinkOf(Measured& measured, int threads) {
 
 bool canBeTiled(const InputOptions& options) {
   return !options.random_weights && options.weights.empty() && options.periodic == Periodic::none &&
-         !options.domain.hull && options.domain.file.empty() && !options.project;
+         !options.domain.hull && options.domain.file.empty() && !options.project && !options.globe;
 }
 
 Result<TiledInput> loadTiled(const CommandRun& run, const InputOptions& options) {

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "base/parallel.h"
+#include "base/progress_steps.h"
 #include "base/stopwatch.h"
 #include "base/try.h"
 #include "globe/outlined_cells.h"
@@ -49,8 +50,15 @@ void writeCell(const SphereSites& sites, const SphereCells& cells, std::size_t s
   for (double& length : lengths) length *= radius;
 }
 
-void writeDiagram(const SphereSites& placed, const Sites& sites, const SphereCells& cells, int threads,
-                  Diagram& diagram) {
+/// Stages of a run, as large as each other, for the progress: the triangulation counts as two.
+constexpr std::size_t globe_stages = 4;
+
+Result<void> reportStage(const Progress& progress, std::size_t done) {
+  return reportProgress(progress, "cells", done, globe_stages);
+}
+
+Result<void> writeDiagram(const SphereSites& placed, const Sites& sites, const SphereCells& cells,
+                          int threads, const Progress& progress, Diagram& diagram) {
   const auto count = sites.size();
   const bool is_alone = cells.neighbor.empty(), has_places = !cells.place.empty() || is_alone;
   diagram.status.assign(count, Status::ok);
@@ -59,16 +67,19 @@ void writeDiagram(const SphereSites& placed, const Sites& sites, const SphereCel
   diagram.centroid.resize(count);
   if (has_places) diagram.perimeter.resize(count);
   diagram.edge_lengths.resize(cells.place.size());
-  parallelFor(count, globe_grain, threads, [&](std::size_t begin, std::size_t end) {
-    for (auto i = begin; i < end; ++i) {
-      const bool is_owned = diagram.owner[i] != i;
-      if (!is_owned && (is_alone || cells.offsets[i] < cells.offsets[i + 1])) {
-        writeCell(placed, cells, i, diagram);
-      } else {
-        diagram.status[i] = is_owned ? Status::duplicate : Status::empty;
-        diagram.centroid[i] = {sites.x[i], sites.y[i]};
-      }
+  const auto write = [&](std::size_t i) {
+    const bool is_owned = diagram.owner[i] != i;
+    if (!is_owned && (is_alone || cells.offsets[i] < cells.offsets[i + 1])) {
+      writeCell(placed, cells, i, diagram);
+    } else {
+      diagram.status[i] = is_owned ? Status::duplicate : Status::empty;
+      diagram.centroid[i] = {sites.x[i], sites.y[i]};
     }
+  };
+  const StageRange last{count, (globe_stages - 1) * count, globe_stages * count};
+  return runInSteps(progress, "cells", last, count, [&](std::size_t first, std::size_t some) -> Result<void> {
+    parallelEach(some, globe_grain, threads, [&](std::size_t k) { write(first + k); });
+    return {};
   });
 }
 
@@ -86,15 +97,20 @@ void writeTriangles(const SphereMesh& mesh, int threads, Diagram& diagram) {
 }
 
 /// The cells of the whole sphere.
-Result<Diagram> wholeCellsOn(const Sites& sites, const SphereSites& placed, Detail detail, int threads) {
+Result<Diagram> wholeCellsOn(const Sites& sites, const SphereSites& placed, const CellsOptions& options,
+                             int threads) {
+  const Detail detail = options.detail;
+  const Progress& progress = options.progress;
   const Stopwatch watch;
+  VORPIPE_TRY(reportStage(progress, 0));
   Diagram diagram;
   auto& times = diagram.report.time_ms;
   VORPIPE_VAR(mesh, triangulateSphere(placed, threads));
   times.order = watch.milliseconds();
+  VORPIPE_TRY(reportStage(progress, 2));
   VORPIPE_VAR(cells, cellsOfSphere(placed, mesh, detail != Detail::measures, threads));
   diagram.owner = std::move(mesh.owner);
-  writeDiagram(placed, sites, cells, threads, diagram);
+  VORPIPE_TRY(writeDiagram(placed, sites, cells, threads, progress, diagram));
   diagram.cell_offsets = std::move(cells.offsets);
   diagram.neighbors = std::move(cells.neighbor);
   diagram.vertices = std::move(cells.place);
@@ -123,7 +139,7 @@ Result<Diagram> partCellsOn(const Machine& machine, const Sites& sites, const Sp
 Result<Diagram> globeCellsOn(const Machine& machine, const Sites& sites, const CellsOptions& options) {
   const int threads = threadCount(machine.threads);
   const SphereSites placed = placedOn(sites, threads);
-  VORPIPE_VAR(diagram, options.outline.empty() ? wholeCellsOn(sites, placed, options.detail, threads)
+  VORPIPE_VAR(diagram, options.outline.empty() ? wholeCellsOn(sites, placed, options, threads)
                                                : partCellsOn(machine, sites, placed, options, threads));
   auto& report = diagram.report;
   report.duplicate = static_cast<std::uint64_t>(std::ranges::count(diagram.status, Status::duplicate));

@@ -18,26 +18,55 @@ using namespace core;
 constexpr double half_turn = whole_turn / 2;
 constexpr double some_part = 0.375;  // of an edge
 
-/// A ring of longitudes and latitudes. Longitudes continue from point to point, beyond half a turn if
-/// necessary.
+/// Calls add(direction) for the ends of an arc's pieces, each of `longest` degrees or less. Both cells of an
+/// edge get the same points.
+template <class Add>
+void forEachPiece(const Arc& arc, double longest, const Add& add) {
+  const bool forward = arc.begin == arc.end ? arc.axis < -arc.axis : arc.begin < arc.end;
+  const Arc back{arc.end, arc.begin, -arc.axis, arc.angle};
+  const auto pieces = std::max(1, static_cast<int>(std::ceil(arc.angle / (longest * degree))));
+  for (int k = 1; k < pieces; ++k) {
+    const double part = static_cast<double>(forward ? k : pieces - k) / pieces;
+    add(pointOn(forward ? arc : back, part));
+  }
+  add(arc.end);
+}
+
+/// A side of a cell, from a vertex, by its index among all, to the next of its ring.
+Arc sideOf(const Sites& sites, const Diagram& diagram, const Cell& cell, std::uint64_t entry) {
+  const CellRings rings = cell.rings();
+  std::size_t ring = 0;
+  while (entry >= rings.end(ring)) ++ring;
+  const auto next = entry + 1 < rings.end(ring) ? entry + 1 : rings.begin(ring);
+  const Direction begin = directionOf(diagram.vertices[entry]), end = directionOf(diagram.vertices[next]);
+  // In an outline, sides are shorter than half a turn.
+  if (!diagram.ring_starts.empty()) {
+    return {begin, end, normalized(cross(begin, end)), angleBetween(begin, end)};
+  }
+  const auto neighbor = static_cast<std::size_t>(diagram.neighbors[entry]);
+  return arcBetween(vectorOf(sites, cell.index()), vectorOf(sites, neighbor), begin, end, next == entry);
+}
+
+/// A ring, or a line, of longitudes and latitudes. Longitudes continue from point to point, beyond half a
+/// turn if necessary.
 class UnrolledBorder {
  public:
   /// Adds the arc's points after its first.
   void add(const Arc& arc) {
     if (points_.empty()) points_.push_back(placeOf(arc.begin));
-    // Both cells of an edge get the same points.
-    const bool forward = arc.begin < arc.end;
-    const auto pieces = static_cast<int>(std::ceil(arc.angle / (longest * degree)));
-    for (int k = 0; k < pieces; ++k) {
-      const auto at = [&](int piece) {
-        if (piece == 0) return arc.begin;
-        if (piece == pieces) return arc.end;
-        if (forward) return pointOn(arc, static_cast<double>(piece) / pieces);
-        const Arc back{arc.end, arc.begin, -arc.axis, arc.angle};
-        return pointOn(back, static_cast<double>(pieces - piece) / pieces);
-      };
-      addPiece(at(k), at(k + 1), arc.axis.z);
+    Direction last = arc.begin;
+    forEachPiece(arc, longest, [&](const Direction& at) {
+      addPiece(last, at, arc.axis.z);
+      last = at;
+    });
+  }
+
+  /// The line as it is. One from a pole begins with the longitude where it leads.
+  [[nodiscard]] std::vector<Point> line() && {
+    if (points_.size() > 1 && std::abs(points_.front().y) == quarter_turn && points_[1].y == points_[0].y) {
+      points_.erase(points_.begin());
     }
+    return std::move(points_);
   }
 
   /// Its points, in the turn where it begins. A ring around a pole is led to that pole along longitude 180.
@@ -68,7 +97,7 @@ class UnrolledBorder {
   }
 
  private:
-  static constexpr double longest = 0.4;    ///< degrees between points
+  static constexpr double longest = 0.25;   ///< degrees between points
   static constexpr double most_off = 1e-5;  ///< of the Earth's radius
   /// How far a straight line of degrees may be off, of its length: near poles lines would cross else.
   static constexpr double most_bent = 0.01, shortest = 1e-9;
@@ -256,18 +285,8 @@ Outline globePolygons(const Sites& sites, const Diagram& diagram, std::size_t si
             false, outline);
     return outline;
   }
-  const Direction own = is_whole ? vectorOf(sites, site) : Direction{};
   const auto arcAt = [&](std::size_t ring, std::size_t k) {
-    const auto vertices = rings[ring];
-    const Direction begin = directionOf(vertices[k]),
-                    end = directionOf(vertices[k + 1 < vertices.size() ? k + 1 : 0]);
-    if (is_whole) {
-      const auto neighbor = diagram.neighbors[rings.begin(ring) + k];
-      return arcBetween(own, vectorOf(sites, static_cast<std::size_t>(neighbor)), begin, end,
-                        vertices.size() == 1);
-    }
-    // In an outline, sides are shorter than half a turn.
-    return Arc{begin, end, normalized(cross(begin, end)), angleBetween(begin, end)};
+    return sideOf(sites, diagram, cell, rings.begin(ring) + k);
   };
   std::vector<std::vector<Point>> polygon;
   for (std::size_t r = 0; r < rings.size(); ++r) {
@@ -287,6 +306,75 @@ Outline globePolygons(const Sites& sites, const Diagram& diagram, std::size_t si
   }
   if (!polygon.empty()) addCut(std::move(polygon), outline);
   return outline;
+}
+
+std::vector<Point> globeEdge(const Sites& sites, const Diagram& diagram, std::size_t site,
+                             std::uint64_t edge) {
+  const Cell cell = diagram.cell(site);
+  UnrolledBorder line;
+  line.add(sideOf(sites, diagram, cell, edge));
+  return std::move(line).line();
+}
+
+std::vector<Point> globeWay(Point from, Point to) {
+  constexpr double opposite = 1e-8;
+  const Direction begin = directionOf(from), end = directionOf(to), turn = cross(begin, end);
+  const double angle = angleBetween(begin, end), sine = lengthOf(turn);
+  // Between places opposite to each other any way is the shortest.
+  const bool has_axis = sine > 0 && (sine > opposite || angle < 1);
+  UnrolledBorder line;
+  line.add({begin, end, has_axis ? 1 / sine * turn : perpendicular(begin), angle});
+  return std::move(line).line();
+}
+
+std::vector<std::vector<Point>> cutAtTurns(const std::vector<Point>& line) {
+  const double middle = line.size() < 2 ? line[0].x : (line[0].x + line[1].x) / 2;
+  double turn = whole_turn * std::floor((middle + half_turn) / whole_turn);
+  std::vector<std::vector<Point>> parts(1);
+  const auto add = [&](Point p) { parts.back().push_back({p.x - turn, p.y}); };
+  for (std::size_t k = 0; k < line.size(); ++k) {
+    const Point to = line[k];
+    while (std::abs(to.x - turn) > half_turn) {
+      const double side = std::copysign(1.0, to.x - turn), x = turn + side * half_turn;
+      const Point from = line[k - 1];
+      const double y = from.y + (to.y - from.y) * ((x - from.x) / (to.x - from.x));
+      if (parts.back().empty() || parts.back().back() != Point{side * half_turn, y}) add({x, y});
+      turn += side * whole_turn;
+      parts.emplace_back();
+      add({x, y});
+    }
+    add(to);
+  }
+  std::erase_if(parts, [](const auto& part) { return part.size() < 2; });
+  return parts;
+}
+
+double globeDistance(Point from, Point to) {
+  return earthRadius() * angleBetween(directionOf(from), directionOf(to));
+}
+
+SpacePoint onGlobe(Point degrees) {
+  const Direction at = directionOf(degrees);
+  return {at.x, at.y, at.z};
+}
+
+GlobeBorder globeBorder(const Sites& sites, const Diagram& diagram, std::size_t site, double longest) {
+  const Cell cell = diagram.cell(site);
+  GlobeBorder border;
+  const auto add = [&](const Direction& at) { border.points.push_back({at.x, at.y, at.z}); };
+  const auto addArc = [&](const Arc& arc) {
+    border.begins.push_back(border.points.size());
+    add(arc.begin);
+    forEachPiece(arc, longest, add);
+    border.points.pop_back();
+  };
+  if (cell.edges() == 0) {
+    const Direction axis = directionOf({sites.x[site], sites.y[site]}), begin = perpendicular(axis);
+    addArc({begin, begin, axis, whole_turn * degree});
+    border.begins.clear();
+  }
+  for (auto entry = cell.begin(); entry < cell.end(); ++entry) addArc(sideOf(sites, diagram, cell, entry));
+  return border;
 }
 
 }  // namespace vorpipe

@@ -150,15 +150,21 @@ class Rows {
     around.resize(kept);
   }
 
+  /// Counts the edges of each cell: the sides of triangles, each from the triangle that has it in this
+  /// direction, that are no ties.
   Result<void> count(std::size_t sites, SphereCells& cells) {
     cells.offsets.assign(sites + 1, 0);
-    parallelFor(mesh_.site.size(), cells_grain, threads_, [&](std::size_t begin, std::size_t end) {
-      std::vector<Corner> around;
-      for (auto v = begin; v < end; ++v) {
-        listAround(static_cast<std::uint32_t>(v), around);
-        cells.offsets[mesh_.site[v] + std::size_t{1}] = around.size();
+    std::vector<std::uint32_t> edges(mesh_.site.size());
+    for (std::size_t t = 0; t < mesh_.triangles.size(); ++t) {
+      const auto& [corner, neighbor] = mesh_.triangles[t];
+      for (std::size_t k = 0; k < 3; ++k) {
+        if (root_[t] != root_[static_cast<std::size_t>(neighbor[k])])
+          ++edges[static_cast<std::size_t>(corner[(k + 1) % 3])];
       }
-    });
+    }
+    for (std::size_t v = 0; v < mesh_.site.size(); ++v) {
+      if (mesh_.at[v] >= 0) cells.offsets[mesh_.site[v] + std::size_t{1}] = edges[v];
+    }
     for (std::size_t v = 0; v < mesh_.site.size(); ++v) {
       const auto site = mesh_.site[v];
       if (mesh_.at[v] >= 0 && cells.offsets[site + std::size_t{1}] < 2) {

@@ -111,8 +111,16 @@ class Sums {
   }
 
  private:
-  /// The mean along an arc of half this angle to each side, by Gauss's rule of four points.
+  /// The mean along an arc of half this angle to each side, by Gauss's rule of four points; of a short one,
+  /// of two.
   static double meanDifference(const Direction& from, const Direction& to, double half_angle) {
+    constexpr double is_short = 2e-3;  // the fourth power of this, by 270, is rounding
+    if (half_angle < is_short) {
+      constexpr double inner = 0.57735026918962576;
+      const double middle = 0.5 * (from.z + to.z), half = 0.5 * (to.z - from.z);
+      const auto [even, odd] = partsAt(inner, half_angle);
+      return (difference(even * middle + odd * half) + difference(even * middle - odd * half)) / 2;
+    }
     constexpr std::array<double, 2> at{0.33998104358485626, 0.86113631159405258};
     constexpr std::array<double, 2> weight{0.65214515486254614, 0.34785484513745386};
     const double middle = 0.5 * (from.z + to.z), half = 0.5 * (to.z - from.z);

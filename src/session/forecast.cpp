@@ -56,7 +56,9 @@ std::uint64_t heapOf(const Workload& work) {
 
 /// Bytes per site or image at the peak of Session::cells, besides a device.
 std::uint64_t peakOfCells(const Workload& work, Detail detail) {
-  if (work.globe) return (detail == Detail::measures ? 480u : 615u) + (work.weighted ? 65u : 0u);
+  if (work.globe)
+    return (detail == Detail::measures ? 480u : 615u) + (work.weighted ? 65u : 0u) +
+           (work.outlined ? 300u : 0u);
   if (work.periodic) return work.outlined ? 700 : work.weighted ? 560 : 535;
   if (work.outlined) return detail == Detail::everything ? 660 : 635;
   constexpr std::uint64_t measures = 290, polygons = 400, everything = 495;

@@ -169,6 +169,9 @@ void cutPolygons(const Sites& sites, const Box& domain, int points_of_turn, int 
 Result<Diagram> freeCells(Session& session, const Sites& sites, const CellsOptions& options,
                           int points_of_turn) {
   try {
+    if (options.globe) {
+      return tl::unexpected(Error{ErrorCode::input, "surface: cells on the globe have no air around them"});
+    }
     MovingCells moving(session, options, Surface::free);
     VORPIPE_TRY(moving.update(sites));
     CellsOptions wanted = options;

@@ -10,8 +10,11 @@
 #include "backend/registry/registry.h"
 #include "base/inside.h"
 #include "base/parallel.h"
+#include "base/refusal.h"
 #include "base/try.h"
+#include "domain/degrees.h"
 #include "domain/edge_tree.h"
+#include "globe/globe_places.h"
 #include "sites/bin_sort.h"
 #include "sites/images.h"
 #include "sites/site_set.h"
@@ -92,6 +95,7 @@ struct Locator::State {
   std::optional<Repeated> repeated;
   std::unique_ptr<OutlineSearch> outline;
   std::unique_ptr<PlaceSearch> search;
+  std::unique_ptr<GlobePlaces> globe;  ///< set on the globe, instead of all else
 
   Result<void> takeSites(const Sites& callers, const CellsOptions& options);
   Result<void> prepareSet(const Sites& from, const Box& box, const CallersSites* callers);
@@ -117,6 +121,7 @@ Result<void> Locator::State::takeSites(const Sites& callers, const CellsOptions&
 }
 
 std::uint32_t Locator::State::at(Point place) const {
+  if (globe) return globe->at(place);
   Point p = place;
   if (repeated) {
     p = {scale(p.x), scale(p.y)};
@@ -145,6 +150,16 @@ Result<Locator> Locator::make(const Sites& sites, const CellsOptions& options, i
     State& state = *locator.state_;
     state.domain = options.domain;
     state.threads = threads;
+    if (options.globe && !options.outline.empty()) {
+      return tl::unexpected(
+          refusalOf(Subject::outline, "places on the globe are found in cells of all of it"));
+    }
+    if (options.globe) {
+      VORPIPE_TRY(checkPlaces(sites));
+      state.domain = {-whole_turn / 2, -quarter_turn, whole_turn / 2, quarter_turn};
+      state.globe = std::make_unique<GlobePlaces>(sites);
+      return locator;
+    }
     VORPIPE_TRY(state.takeSites(sites, options));
     const int exponent = scaleExponent(options.domain);
     state.scale = PowerOfTwo(exponent);

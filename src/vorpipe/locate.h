@@ -24,6 +24,9 @@ namespace vorpipe {
 /// another of these sites. The result depends only on the sites and the domain, not on threads or other
 /// places. Where three or more weighted sites are equal up to rounding, the result may be a site without a
 /// cell.
+///
+/// On the globe places are degrees, of longitudes of any turn, and one as near to several sites, up to
+/// rounding, belongs to the first of them. An outline there is refused.
 class Locator {
  public:
   /// Prepares sites for the domain of `options`, its outline and its period; other options are ignored.

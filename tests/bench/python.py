@@ -59,6 +59,23 @@ def beside_scipy(runs):
     }, runs))
 
 
+def beside_scipy_on_the_sphere(runs):
+    import numpy as np
+    from scipy import spatial
+
+    from vorpipe import compat
+
+    ways = np.random.default_rng(1).standard_normal((100_000, 3))
+    ways /= np.linalg.norm(ways, axis=1)[:, None]
+    x, y, z = ways.T
+    places = np.degrees(np.column_stack((np.arctan2(y, x), np.arcsin(z))))
+    show('100,000 points on the sphere, with areas', in_turn({
+        'scipy.spatial.SphericalVoronoi': lambda: seconds(lambda: spatial.SphericalVoronoi(ways).calculate_areas()),
+        'vorpipe.cells, globe=True': lambda: seconds(lambda: vorpipe.cells(places, globe=True).solid_angles),
+        'vorpipe.compat.SphericalVoronoi': lambda: seconds(lambda: compat.SphericalVoronoi(ways).calculate_areas()),
+    }, runs))
+
+
 def beside_cpp(runs, program):
     points = vorpipe.generate('random', 1_000_000)
     with vorpipe.Session('cpu') as session, subprocess.Popen(
@@ -83,6 +100,7 @@ def main():
     runs = int(sys.argv[1]) if len(sys.argv) > 1 else 5
     try:
         beside_scipy(runs)
+        beside_scipy_on_the_sphere(runs)
     except ImportError as error:
         print(f'not beside scipy: {error}')
     program = os.environ.get('VORPIPE_CALL')

@@ -46,6 +46,9 @@ done
 measures 70 "cpu, checked" cells --backend cpu --sites random:$n --check -o out/cells.npz
 measures 70 "cpu, weights" cells --backend cpu --sites random:$n --random-weights 0,1e-6 -o out/cells.npz
 measures 70 "cpu, weights, measures" cells --backend cpu --sites random:$n --random-weights 0,1e-6
+measures 70 "cpu, the globe" cells --backend cpu --globe --sites random:$n -o out/cells.npz
+measures 70 "cpu, the globe, measures" cells --backend cpu --globe --sites random:$n
+measures 70 "cpu, the globe, weights" cells --backend cpu --globe --sites random:$n --random-weights 0,100 -o out/cells.npz
 measures 70 "cpu, periodic" cells --backend cpu --sites random:$n --periodic xy -o out/cells.npz
 echo 'POLYGON ((0 0, 1 0, 1 1, 0.5 0.98, 0 1, 0 0))' >in/outline.wkt
 measures 70 "cpu, an outline" cells --backend cpu --sites random:$n --domain in/outline.wkt -o out/cells.npz

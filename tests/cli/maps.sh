@@ -516,6 +516,41 @@ fails 2 "a title of frames" "--title: is for pictures" relax --backend cpu --sit
 succeeds "labels of a relaxation" relax --backend cpu --sites in/rain.csv --iterations 2 --labels @kind --color @rain --title T --picture out/relaxed.svg
 grep -q '>T</text>' out/relaxed.svg && grep -q '>b</text>' out/relaxed.svg || fail "the title or a label is missing"
 
+# -- The whole Earth ------------------------------------------------------------------------------------
+earth="cells --backend cpu --globe"
+succeeds "the beacons of the Earth" $earth --check --sites "$navaids" --stats out/s.json -o out/s.csv -o out/s.npz \
+  -o out/s.geojson -o out/s.gpkg -o out/s.svg --edges out/edges.geojson --triangulation out/network.gpkg
+area 510065621.7240 510065621.7241
+head -1 out/s.csv | grep -q '^site,x,y,weight,status,area,perimeter,centroid_x,centroid_y,vertices,neighbors' || fail "other columns"
+grep -q 'viewBox="0 0 1000 500"' out/s.svg || fail "the drawing is no map of degrees"
+cp out/s.csv out/first.csv
+succeeds "again" rerun --quiet out/s.json
+cmp -s out/s.csv out/first.csv || fail "other cells"
+for backend in vulkan-compute vulkan-geometry opengl; do
+  [[ ,${VORPIPE_EXPECTED_BACKENDS-}, == *,$backend,* ]] || continue
+  succeeds "the same by $backend" cells --backend $backend --globe --quiet --sites "$navaids" -o out/other.csv
+  cmp -s out/first.csv out/other.csv || fail "other bytes"
+done
+printf 'name,lon,lat\nA,10,50\nB,190,-20\nC,-70,85\nD,100,-80\n' >in/four.csv
+notes "names of neighbors" "are taken as x, y" $earth --sites in/four.csv --id @name --share -o out/four.csv
+cut -d, -f11- out/four.csv | grep -q '^"B;.*,0\..*,A$' || fail "no names, share or attribute"
+# Ends of edges are vertices, and lines are cut at 180 degrees.
+notes "lines of few cells" "" $earth --quiet --sites in/four.csv --edges out/e.csv --edges out/e.geojson --edges out/e.vtp --edges out/e.wkt
+[ "$(wc -l <out/e.csv)" -eq 7 ] || fail "not six edges"
+grep -q MULTILINESTRING out/e.wkt && grep -q '"MultiLineString"' out/e.geojson || fail "no line is cut"
+succeeds "a pattern" $earth --sites random:50000 --detail measures -o out/measures.npz --stats out/s.json
+area 510065621.724 510065621.725
+grep -q '"tiles"' out/s.json && fail "measures of the globe in tiles of a plane"
+for option in "--project auto" "--domain hull"; do
+  fails 2 "$option" "--globe: is without" $earth --sites in/three.csv $option -o out/old.csv
+done
+fails 2 "meters" "in/plane.csv" $earth --sites in/plane.csv -o out/old.csv
+fails 2 "no place" "site 1" $earth --sites in/bad.csv -o out/old.csv
+fails 2 "a heavy site" "below a quarter of the Earth, 10008 km" $earth --sites random:9 --random-weights 2e8,3e8 -o out/old.csv
+fails 2 "FLANN" "--search: FLANN is for a plane" $earth --sites random:9 --search flann -o out/old.csv
+fails 2 "a free surface" "--surface" $earth --sites random:9 --random-weights 1,2 --surface free -o out/old.csv
+fails 2 "a density" "--density" $earth --sites random:9 --density in/map.png -o out/old.csv
+
 # Outlines on the globe: each run checks its cells, and the area is that of the outline on the ellipsoid.
 globe() {
   name="$1 on the globe"

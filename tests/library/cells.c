@@ -296,6 +296,44 @@ static void meshes(vorpipe_session* session) {
   vorpipe_input_free(input);
 }
 
+/* Of two sites opposite to each other each has half of the Earth. */
+static void globes(vorpipe_session* session) {
+  const double degrees[] = {10, 20, 190, -20}, places[] = {0, 0, -150, -30};
+  const double half_sphere = 6.283185307179586, half_earth = 510065621.724 / 2;
+  uint32_t found[] = {9, 9};
+  vorpipe_sites sites = {sizeof sites};
+  vorpipe_input* input = NULL;
+  vorpipe_locator* locator = NULL;
+  vorpipe_picture* picture = NULL;
+  vorpipe_diagram* diagram;
+  vorpipe_array array;
+  sites.count = 2;
+  sites.x = degrees;
+  sites.y = degrees + 1;
+  sites.position_stride = 2 * sizeof(double);
+  DONE(vorpipe_input_create(&sites, &input));
+  DONE(vorpipe_input_set_globe(input));
+  diagram = cellsOf(session, input, VORPIPE_EVERYTHING);
+  array = arrayOf(diagram, VORPIPE_CELL_SOLID_ANGLE);
+  PROMISE(array.count == 2 && fabs(((const double*)array.data)[1] - half_sphere) < 1e-12);
+  PROMISE(fabs(((const double*)arrayOf(diagram, VORPIPE_CELL_AREA).data)[0] / half_earth - 1) < 1e-11);
+  PROMISE(arrayOf(diagram, VORPIPE_CELL_SECOND_MOMENTS).count == 0);
+  DONE(vorpipe_diagram_check(diagram, 1, NULL, NULL));
+  DONE(vorpipe_locator_create(input, 1, &locator));
+  DONE(vorpipe_locator_find(locator, places, 2, found));
+  PROMISE(found[0] == 0 && found[1] == 1);
+  vorpipe_locator_free(locator);
+  vorpipe_diagram_free(diagram);
+  REFUSED(VORPIPE_INPUT, "globe: pictures", vorpipe_render(session, input, NULL, &picture));
+  vorpipe_input_free(input);
+  DONE(vorpipe_input_read("random:300", 1, &input));
+  DONE(vorpipe_input_set_globe(input));
+  diagram = cellsOf(session, input, VORPIPE_POLYGONS);
+  PROMISE(fabs(vorpipe_diagram_area_sum(diagram) / (2 * half_earth) - 1) < 1e-11);
+  vorpipe_diagram_free(diagram);
+  vorpipe_input_free(input);
+}
+
 static double firstArea(vorpipe_session* session, const vorpipe_input* input) {
   vorpipe_diagram* diagram = cellsOf(session, input, VORPIPE_MEASURES);
   const double area = ((const double*)arrayOf(diagram, VORPIPE_CELL_AREA).data)[0];
@@ -351,6 +389,7 @@ static void moves(vorpipe_session* session) {
 
 void cells_promises(vorpipe_session* session) {
 #ifndef HEADER_OF_0_1
+  globes(session);
   meshes(session);
   moves(session);
 #endif

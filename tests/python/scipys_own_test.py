@@ -1,4 +1,4 @@
-"""scipy's own tests of Delaunay and Voronoi, run with vorpipe.compat's in their place.
+"""scipy's own tests of Delaunay, Voronoi and SphericalVoronoi, run with vorpipe.compat's in their place.
 
 Left out is what does not apply, with the reason.
 """
@@ -9,6 +9,7 @@ import pytest
 from vorpipe import compat
 
 theirs = pytest.importorskip('scipy.spatial.tests.test_qhull', reason='there is no scipy with its tests')
+theirs_on_spheres = pytest.importorskip('scipy.spatial.tests.test_spherical_voronoi')
 
 OTHER_DIMENSIONS = 'it is of points that are not in the plane'
 ORDER = 'it expects the order that Qhull happens to answer in; compat_test.py has the like of it'
@@ -38,6 +39,11 @@ LEFT_OUT = {
         'test_furthest_site_flag': NOT_TAKEN,
     },
     'TestVertexNeighborVertices': {},
+    'TestSphericalVoronoi': {
+        'test_sort_vertices_of_regions_flattened': ORDER,
+        'test_sort_vertices_of_regions_dimensionality': OTHER_DIMENSIONS,
+        'test_area_unsupported_dimension': OTHER_DIMENSIONS,
+    },
 }
 
 
@@ -48,6 +54,7 @@ def ours(monkeypatch):
     replaced.Delaunay, replaced.Voronoi = compat.Delaunay, compat.Voronoi
     monkeypatch.setattr(theirs, 'qhull', replaced)
     monkeypatch.setattr(theirs, 'Voronoi', compat.Voronoi)
+    monkeypatch.setattr(theirs_on_spheres, 'SphericalVoronoi', compat.SphericalVoronoi)
 
 
 def applies(name):
@@ -80,15 +87,21 @@ def chosen(mark):
         values = [value for value in values if applies(value)]
     elif names == 'ndim':
         values = [2]
+    elif names == 'dim':
+        values = [3]
+    elif names == 'poly':
+        values = [name for name in values if theirs_on_spheres._generate_polytope(name).shape[1] == 3]
     return pytest.mark.parametrize(names, values).mark
 
 
 def test_what_is_left_out_is_there():
     for group, names in LEFT_OUT.items():
-        assert all(hasattr(getattr(theirs, group), name) for name, why in names.items() if why != GONE)
+        module = theirs if hasattr(theirs, group) else theirs_on_spheres
+        assert all(hasattr(getattr(module, group), name) for name, why in names.items() if why != GONE)
 
 
 TestUtilities = adopted(theirs.TestUtilities)
 TestVertexNeighborVertices = adopted(theirs.TestVertexNeighborVertices)
 TestDelaunay = adopted(theirs.TestDelaunay)
 TestVoronoi = adopted(theirs.TestVoronoi)
+TestSphericalVoronoi = adopted(theirs_on_spheres.TestSphericalVoronoi)

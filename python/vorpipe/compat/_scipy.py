@@ -6,14 +6,16 @@ from typing import TYPE_CHECKING, Any
 if TYPE_CHECKING:
     class DelaunayBase: ...
     class VoronoiBase: ...
+    class SphericalBase: ...
     class ErrorBase(RuntimeError): ...
 else:
     try:
         from scipy.spatial import Delaunay as DelaunayBase
         from scipy.spatial import QhullError as ErrorBase
+        from scipy.spatial import SphericalVoronoi as SphericalBase
         from scipy.spatial import Voronoi as VoronoiBase
     except ImportError:
-        DelaunayBase = VoronoiBase = object
+        DelaunayBase = VoronoiBase = SphericalBase = object
         ErrorBase = RuntimeError
 
 

@@ -39,6 +39,9 @@ Result<void> checkCommand(CellsCommand& command, const CommandRun& run) {
   VORPIPE_TRY(run.needsOutput("cells.csv", "--stats or --check"));
   const CellsTargets& targets = command.targets;
   const bool is_free = command.surface == Surface::free;
+  if (is_free && command.input.globe) {
+    return inputError("--surface: the globe has cells without air around them alone");
+  }
   if (is_free && command.check) {
     return inputError("--check: what verifies cells does not know free surfaces");
   }
@@ -180,7 +183,7 @@ Result<void> writeFiles(const CellsCommand& command, CommandRun& run, Input& inp
     }
   };
   if (!command.targets.edges.empty())
-    addLines(command.targets.edges, edgesOf(diagram, topology, input.system));
+    addLines(command.targets.edges, edgesOf(input.sites, diagram, topology, input.system));
   addLines(command.targets.triangulation, linesOf(triangulation, input.sites, input.system));
   output.figures = [&](nlohmann::ordered_json& json) { addSums(json, diagram); };
   VORPIPE_TRY(run.write(output));

@@ -64,6 +64,8 @@ std::string_view typeName(GeometryType type) {
       return "LINESTRING";
     case GeometryType::polygon:
       return "POLYGON";
+    case GeometryType::multi_line_string:
+      return "MULTILINESTRING";
     case GeometryType::multi_polygon:
       break;
   }

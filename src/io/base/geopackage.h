@@ -23,7 +23,13 @@ struct sqlite3_stmt;
 namespace vorpipe {
 
 /// The codes of well-known binary.
-enum class GeometryType : std::uint32_t { point = 1, line_string = 2, polygon = 3, multi_polygon = 6 };
+enum class GeometryType : std::uint32_t {
+  point = 1,
+  line_string = 2,
+  polygon = 3,
+  multi_line_string = 5,
+  multi_polygon = 6
+};
 
 /// A geometry under construction: types and counts are added in the order of well-known binary. The box is
 /// that of all points so far.

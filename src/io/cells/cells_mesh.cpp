@@ -214,6 +214,9 @@ Result<CellsMesh> cellsMesh(const ByteSink& sink, const Diagram& diagram) {
 }
 
 Result<CellTriangles> cellTriangles(const Diagram& diagram) {
+  if (!diagram.solid_angle.empty()) {
+    return inputError("triangles: are of cells in a plane, and these are on the globe");
+  }
   if (diagram.vertices.size() > std::numeric_limits<std::uint32_t>::max()) {
     return inputError(
         fmt::format("triangles: {} vertices are more than 32 bits count", diagram.vertices.size()));

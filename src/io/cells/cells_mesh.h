@@ -19,9 +19,13 @@ struct CellsMesh {
   std::vector<std::int32_t> corners;   ///< indices of points, counter-clockwise, face after face
   std::vector<std::uint64_t> offsets;  ///< size: faces + 1; where the corners of each face begin
   std::vector<std::uint32_t> sites;    ///< the site of each face, ascending
+  std::vector<double> heights{};       ///< z of each point; empty in the plane
   [[nodiscard]] std::size_t size() const { return sites.size(); }
   [[nodiscard]] std::span<const std::int32_t> cornersOf(std::size_t face) const {
     return std::span(corners).subspan(offsets[face], offsets[face + 1] - offsets[face]);
+  }
+  [[nodiscard]] SpacePoint inSpace(std::size_t point) const {
+    return {points[point].x, points[point].y, heights.empty() ? 0 : heights[point]};
   }
 };
 
@@ -30,6 +34,11 @@ struct CellsMesh {
 /// (device). The message names `sink`.
 Result<CellsMesh> cellsMesh(const ByteSink& sink, const Diagram& diagram);
 
+/// Cells on the globe as faces in space, with corners on the unit sphere. One that reaches farther than five
+/// degrees from its centroid is in pieces of that size, so that faces are near to the sphere. Error (input):
+/// as above.
+Result<CellsMesh> globeMesh(const ByteSink& sink, const Sites& sites, const Diagram& diagram);
+
 /// Cells as triangles for a device, which has the diagram's vertices as they are: each belongs to one cell.
 struct CellTriangles {
   std::vector<std::array<std::uint32_t, 3>> triangles;  ///< in Diagram::vertices, counter-clockwise, by cell
@@ -37,7 +46,7 @@ struct CellTriangles {
 };
 
 /// Cuts each piece of a cell into a fan, or where that does not fill it, as GEOS does. Errors: more vertices
-/// than 32 bits count (input); a piece could not be cut (device).
+/// than 32 bits count, or cells on the globe (input); a piece could not be cut (device).
 Result<CellTriangles> cellTriangles(const Diagram& diagram);
 
 }  // namespace vorpipe

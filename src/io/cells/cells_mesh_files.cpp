@@ -1,6 +1,7 @@
 // Cells as meshes: .obj, .ply, .vtk, .vtp and .vtu.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -15,10 +16,21 @@
 namespace vorpipe {
 namespace {
 
-/// Appends x, y, and z = 0.
+/// Appends x, y and z.
 template <std::endian order>
-void appendPoint(Bytes& bytes, const Point& point) {
-  for (const double number : {point.x, point.y, 0.0}) appendNumber<order>(bytes, number);
+void appendPoint(Bytes& bytes, const SpacePoint& point) {
+  for (const double number : {point.x, point.y, point.z}) appendNumber<order>(bytes, number);
+}
+
+/// Whether cells may be several faces.
+bool isInPieces(const CellsMesh& mesh, const Diagram& diagram) {
+  const bool on_globe = !mesh.heights.empty();
+  return on_globe ? std::ranges::adjacent_find(mesh.sites) != mesh.sites.end() : !diagram.ring_starts.empty();
+}
+
+Result<CellsMesh> meshOf(const ByteSink& sink, const CellsOutput& output) {
+  if (output.system.on_globe) return globeMesh(sink, output.sites, output.diagram);
+  return cellsMesh(sink, output.diagram);
 }
 
 /// Appends a face's number of corners, as a Count, and its corners.
@@ -33,7 +45,8 @@ Result<void> writeObj(ByteSink& sink, const CellsMesh& mesh, bool in_pieces) {
   VORPIPE_TRY(sink.write(in_pieces ? "# Faces are pieces of cells; the group is the cell's site.\n"
                                    : "# Faces are the cells of the sites that have one, in their order.\n"));
   VORPIPE_TRY(writeEach(sink, mesh.points.size(), [&](Bytes& text, std::size_t i) {
-    print(text, FMT_COMPILE("v {} {} 0\n"), mesh.points[i].x, mesh.points[i].y);
+    const SpacePoint point = mesh.inSpace(i);
+    print(text, FMT_COMPILE("v {} {} {}\n"), point.x, point.y, point.z);
   }));
   return writeEach(sink, mesh.size(), [&](Bytes& text, std::size_t face) {
     if (in_pieces && (face == 0 || mesh.sites[face] != mesh.sites[face - 1])) {
@@ -55,7 +68,7 @@ Result<void> writePly(ByteSink& sink, const CellsMesh& mesh, const Diagram& diag
       "end_header\n",
       mesh.points.size(), mesh.size())));
   VORPIPE_TRY(writeEach(sink, mesh.points.size(),
-                        [&](Bytes& bytes, std::size_t i) { appendPoint<order>(bytes, mesh.points[i]); }));
+                        [&](Bytes& bytes, std::size_t i) { appendPoint<order>(bytes, mesh.inSpace(i)); }));
   return writeEach(sink, mesh.size(), [&](Bytes& bytes, std::size_t face) {
     appendFace<order, std::uint32_t>(bytes, mesh, face);
     appendNumber<order>(bytes, mesh.sites[face]);
@@ -69,7 +82,7 @@ Result<void> writeVtk(ByteSink& sink, const CellsMesh& mesh, const Diagram& diag
       fmt::format("# vtk DataFile Version 3.0\nvorpipe cells\nBINARY\nDATASET POLYDATA\nPOINTS {} double\n",
                   mesh.points.size())));
   VORPIPE_TRY(writeEach(sink, mesh.points.size(),
-                        [&](Bytes& bytes, std::size_t i) { appendPoint<order>(bytes, mesh.points[i]); }));
+                        [&](Bytes& bytes, std::size_t i) { appendPoint<order>(bytes, mesh.inSpace(i)); }));
   VORPIPE_TRY(sink.write(fmt::format("\nPOLYGONS {} {}\n", mesh.size(), mesh.size() + mesh.corners.size())));
   VORPIPE_TRY(writeEach(sink, mesh.size(), [&](Bytes& bytes, std::size_t face) {
     appendFace<order, std::int32_t>(bytes, mesh, face);
@@ -108,8 +121,11 @@ std::vector<VtkArray> faceData(const CellsMesh& mesh, const Sites& sites, const 
       "neighbors", mesh.size(), [&](std::size_t face) { return diagram.cell(mesh.sites[face]).edges(); }));
   data.push_back(vtkNumbers<std::uint8_t>(
       "status", mesh.size(), [&](std::size_t face) { return diagram.status[mesh.sites[face]]; }));
-  data.push_back(vtkPoints("centroid", mesh.size(),
-                           [&](std::size_t face) { return diagram.centroid[mesh.sites[face]]; }));
+  const auto centroidOf = [&](std::size_t face) { return diagram.centroid[mesh.sites[face]]; };
+  const bool on_globe = !mesh.heights.empty();
+  data.push_back(on_globe ? vtkPoints("centroid", mesh.size(),
+                                      [centroidOf](std::size_t face) { return onGlobe(centroidOf(face)); })
+                          : vtkPoints("centroid", mesh.size(), centroidOf));
   if (!sites.weight.empty()) data.push_back(numbers("weight", sites.weight));
   if (!diagram.mass.empty()) data.push_back(numbers("mass", diagram.mass));
   return data;
@@ -128,31 +144,31 @@ Result<void> writeVtu(ByteSink& sink, const CellsMesh& mesh, std::vector<VtkArra
 }  // namespace
 
 Result<void> writeObjCells(ByteSink& sink, const CellsOutput& output) {
-  return cellsMesh(sink, output.diagram).and_then([&](const CellsMesh& mesh) {
-    return writeObj(sink, mesh, !output.diagram.ring_starts.empty());
+  return meshOf(sink, output).and_then([&](const CellsMesh& mesh) {
+    return writeObj(sink, mesh, isInPieces(mesh, output.diagram));
   });
 }
 
 Result<void> writePlyCells(ByteSink& sink, const CellsOutput& output) {
-  return cellsMesh(sink, output.diagram).and_then([&](const CellsMesh& mesh) {
+  return meshOf(sink, output).and_then([&](const CellsMesh& mesh) {
     return writePly(sink, mesh, output.diagram);
   });
 }
 
 Result<void> writeVtkCells(ByteSink& sink, const CellsOutput& output) {
-  return cellsMesh(sink, output.diagram).and_then([&](const CellsMesh& mesh) {
+  return meshOf(sink, output).and_then([&](const CellsMesh& mesh) {
     return writeVtk(sink, mesh, output.diagram);
   });
 }
 
 Result<void> writeVtpCells(ByteSink& sink, const CellsOutput& output) {
-  return cellsMesh(sink, output.diagram).and_then([&](const CellsMesh& mesh) {
+  return meshOf(sink, output).and_then([&](const CellsMesh& mesh) {
     return writeMeshVtp(sink, mesh, faceData(mesh, output.sites, output.diagram));
   });
 }
 
 Result<void> writeVtuCells(ByteSink& sink, const CellsOutput& output) {
-  return cellsMesh(sink, output.diagram).and_then([&](const CellsMesh& mesh) {
+  return meshOf(sink, output).and_then([&](const CellsMesh& mesh) {
     return writeVtu(sink, mesh, faceData(mesh, output.sites, output.diagram));
   });
 }

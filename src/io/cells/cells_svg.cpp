@@ -17,10 +17,12 @@ struct PixelMap {
 };
 
 /// Uses the box of all vertices. It is the domain if cells tile it; cells of a periodic domain extend beyond
-/// it and are shown whole.
-PixelMap pixelMap(const Diagram& diagram) {
-  if (diagram.vertices.empty()) return {0, 0, 1, longer_side, longer_side};
-  const Box box = boxOf(diagram.vertices);
+/// it and are shown whole. The globe is a map of degrees.
+PixelMap pixelMap(const CellsOutput& output) {
+  const auto& vertices = output.diagram.vertices;
+  const bool on_globe = output.system.on_globe;
+  if (vertices.empty() && !on_globe) return {0, 0, 1, longer_side, longer_side};
+  const Box box = on_globe ? Box{-180, -90, 180, 90} : boxOf(vertices);
   const double width = box.xmax - box.xmin, height = box.ymax - box.ymin;
   const double scale = longer_side / std::max(width, height);
   return {box.xmin, box.ymax, scale, width * scale, height * scale};
@@ -91,7 +93,7 @@ void printCell(Bytes& text, const PixelMap& map, const CellsOutput& output, std:
 
 Result<void> writeSvgCells(ByteSink& sink, const CellsOutput& output) {
   const Diagram& diagram = output.diagram;
-  const PixelMap map = pixelMap(diagram);
+  const PixelMap map = pixelMap(output);
   const std::string head = fmt::format(
       "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{0:.8g}\" height=\"{1:.8g}\" "
       "viewBox=\"0 0 {0:.8g} {1:.8g}\">\n"

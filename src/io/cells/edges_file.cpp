@@ -58,8 +58,25 @@ Result<void> writeCsvEdges(ByteSink& sink, const LinesOutput& output) {
   return writeEach(sink, output.count, put, output.threads);
 }
 
+/// The parts of a line: more than one on the globe, where 180 degrees cuts it.
+std::vector<std::vector<Point>> partsOf(const LinesOutput& output, std::size_t edge, const EdgeLine& line) {
+  if (output.path) return cutAtTurns(output.path(edge));
+  return {{line.begin, line.end}};
+}
+
+/// Appends the only part of a line, or the list of several; `put(bytes, point)` appends a point.
+template <class Put>
+void printParts(Bytes& text, const ListText& list, const std::vector<std::vector<Point>>& parts,
+                const Put& put) {
+  const auto printPart = [&](Bytes& out, const std::vector<Point>& part) {
+    printList(out, list, part.size(), [&](Bytes& point, std::size_t k) { put(point, part[k]); });
+  };
+  if (parts.size() == 1) return printPart(text, parts.front());
+  printList(text, list, parts.size(), [&](Bytes& out, std::size_t p) { printPart(out, parts[p]); });
+}
+
 /// A feature for each edge: its id is the edge, its properties are edge, site_a, site_b and length,
-/// its geometry is a LineString.
+/// its geometry is a LineString, on the globe a MultiLineString where 180 degrees cuts it.
 Result<void> writeEdgeFeatures(ByteSink& sink, FeaturesAs as, const LinesOutput& output) {
   const auto put = [&](Bytes& text, std::size_t edge) {
     const EdgeLine line = output.line(edge);
@@ -67,10 +84,18 @@ Result<void> writeEdgeFeatures(ByteSink& sink, FeaturesAs as, const LinesOutput&
     printJsonSite(text, output.names, line.site_a);
     text.append(std::string_view(R"(,"site_b":)"));
     printJsonSite(text, output.names, line.site_b);
-    print(
-        text,
-        FMT_COMPILE(R"(,"length":{}}},"geometry":{{"type":"LineString","coordinates":[[{},{}],[{},{}]]}}}})"),
-        line.length, line.begin.x, line.begin.y, line.end.x, line.end.y);
+    if (!output.path) {
+      print(text,
+            FMT_COMPILE(
+                R"(,"length":{}}},"geometry":{{"type":"LineString","coordinates":[[{},{}],[{},{}]]}}}})"),
+            line.length, line.begin.x, line.begin.y, line.end.x, line.end.y);
+      return true;
+    }
+    const auto parts = partsOf(output, edge, line);
+    print(text, FMT_COMPILE(R"(,"length":{}}},"geometry":{{"type":"{}","coordinates":)"), line.length,
+          parts.size() > 1 ? "MultiLineString" : "LineString");
+    printParts(text, json_list, parts, printJsonPoint);
+    text.append(std::string_view("}}"));
     return true;
   };
   return writeFeatures(sink, as, output.system, output.count, put, output.threads);
@@ -84,22 +109,25 @@ Result<void> writeGeojsonlEdges(ByteSink& sink, const LinesOutput& output) {
   return writeEdgeFeatures(sink, FeaturesAs::lines, output);
 }
 
-/// A GeoPackage with a layer of LineStrings.
+/// A GeoPackage with a layer of LineStrings, on the globe of MultiLineStrings.
 Result<void> writeGpkgEdges(ByteSink& sink, const LinesOutput& output) {
   // Walls have names that are text, whatever those of sites are.
   const AttributeType site = output.names == nullptr ? AttributeType::integer : AttributeType::text;
   const Layer layer{
       std::string(output.layer),
-      GeometryType::line_string,
+      output.path ? GeometryType::multi_line_string : GeometryType::line_string,
       {{"edge", AttributeType::integer}, {"site_a", site}, {"site_b", site}, {"length", AttributeType::real}},
       output.system};
   Wkb wkb;
   return writeGeoPackage(sink, layer, output.count, [&](std::size_t edge, FeatureRow& row) {
     const EdgeLine line = output.line(edge);
     wkb.clear();
-    wkb.begin(GeometryType::line_string, 2);
-    wkb.add(line.begin);
-    wkb.add(line.end);
+    const auto parts = partsOf(output, edge, line);
+    if (output.path) wkb.begin(GeometryType::multi_line_string, parts.size());
+    for (const auto& part : parts) {
+      wkb.begin(GeometryType::line_string, part.size());
+      for (const Point point : part) wkb.add(point);
+    }
     row.setGeometry(wkb);
     row.add(static_cast<std::int64_t>(edge));
     for (const std::int64_t of : {line.site_a, line.site_b}) {
@@ -121,15 +149,54 @@ Result<void> writeWktEdges(ByteSink& sink, const LinesOutput& output) {
   VORPIPE_TRY(sink.write("GEOMETRYCOLLECTION ("));
   const auto put = [&](Bytes& text, std::size_t edge) {
     const EdgeLine line = output.line(edge);
-    print(text, FMT_COMPILE("{}\nLINESTRING ({} {}, {} {})"), edge == 0 ? "" : ",", line.begin.x,
-          line.begin.y, line.end.x, line.end.y);
+    const auto parts = partsOf(output, edge, line);
+    print(text, FMT_COMPILE("{}\n{} "), edge == 0 ? "" : ",",
+          parts.size() > 1 ? "MULTILINESTRING" : "LINESTRING");
+    printParts(text, {"(", ", ", ")"}, parts,
+               [](Bytes& out, const Point& point) { print(out, FMT_COMPILE("{} {}"), point.x, point.y); });
   };
   VORPIPE_TRY(writeEach(sink, count, put, output.threads));
   return sink.write("\n)\n");
 }
 
-/// PolyData with lines, z is 0.
+/// The data of lines.
+VtkSection lineData(const LinesOutput& output) {
+  const std::size_t count = output.count;
+  const auto sites = [&](std::string_view name, std::int64_t EdgeLine::*side) {
+    return vtkNumbers<std::int64_t>(name, count,
+                                    [&output, side](std::size_t edge) { return output.line(edge).*side; });
+  };
+  return {"CellData",
+          {vtkNumbers<std::int64_t>("edge", count, [](std::size_t edge) { return edge; }),
+           sites("site_a", &EdgeLine::site_a), sites("site_b", &EdgeLine::site_b),
+           vtkNumbers<double>("length", count,
+                              [&output](std::size_t edge) { return output.line(edge).length; })}};
+}
+
+/// Lines on the unit sphere, each with points of its own.
+Result<void> writeVtpGlobe(ByteSink& sink, const LinesOutput& output) {
+  std::vector<Point> points;
+  std::vector<std::uint64_t> offsets;
+  for (std::size_t edge = 0; edge < output.count; ++edge) {
+    const auto path = output.path(edge);
+    points.insert(points.end(), path.begin(), path.end());
+    offsets.push_back(points.size());
+  }
+  return writeVtkXml(
+      sink,
+      {"PolyData",
+       polyDataCounts(points.size(), output.count, 0),
+       {{"Points", {vtkPoints("Points", points.size(), [&](std::size_t k) { return onGlobe(points[k]); })}},
+        {"Lines",
+         {vtkNumbers<std::int64_t>("connectivity", points.size(), [](std::size_t k) { return k; }),
+          vtkNumbers<std::int64_t>("offsets", output.count,
+                                   [&](std::size_t edge) { return offsets[edge]; })}},
+        lineData(output)}});
+}
+
+/// PolyData with lines, z is 0 but on the globe.
 Result<void> writeVtpEdges(ByteSink& sink, const LinesOutput& output) {
+  if (output.path) return writeVtpGlobe(sink, output);
   const std::size_t count = output.count;
   const bool apart = !output.ends;
   const std::size_t points = apart ? 2 * count : output.points.size();
@@ -141,10 +208,6 @@ Result<void> writeVtpEdges(ByteSink& sink, const LinesOutput& output) {
     const EdgeLine line = output.line(point / 2);
     return point % 2 == 0 ? line.begin : line.end;
   };
-  const auto sites = [&](std::string_view name, std::int64_t EdgeLine::*side) {
-    return vtkNumbers<std::int64_t>(name, count,
-                                    [&output, side](std::size_t edge) { return output.line(edge).*side; });
-  };
   return writeVtkXml(
       sink, {"PolyData",
              polyDataCounts(points, count, 0),
@@ -152,11 +215,7 @@ Result<void> writeVtpEdges(ByteSink& sink, const LinesOutput& output) {
               {"Lines",
                {vtkNumbers<std::int64_t>("connectivity", 2 * count, ends),
                 vtkNumbers<std::int64_t>("offsets", count, [](std::size_t edge) { return 2 * edge + 2; })}},
-              {"CellData",
-               {vtkNumbers<std::int64_t>("edge", count, [](std::size_t edge) { return edge; }),
-                sites("site_a", &EdgeLine::site_a), sites("site_b", &EdgeLine::site_b),
-                vtkNumbers<double>("length", count,
-                                   [&output](std::size_t edge) { return output.line(edge).length; })}}}});
+              lineData(output)}});
 }
 
 constexpr EdgesFormat csv_edges{.extension = ".csv", .write = writeCsvEdges, .names = true},
@@ -177,7 +236,8 @@ Result<const EdgesFormat*> edgesFormatOf(const std::string& path) {
   return formatFor(path, "edges", all_edges_formats);
 }
 
-LinesOutput edgesOf(const Diagram& diagram, const Topology& topology, const CoordinateSystem& system) {
+LinesOutput edgesOf(const Sites& sites, const Diagram& diagram, const Topology& topology,
+                    const CoordinateSystem& system) {
   assert(topology.edge_of.size() == diagram.vertices.size());
   // In a periodic domain the cells of an edge may have it at two places; the line is at that of `site_a`.
   const auto line = [&diagram, &topology, system](std::size_t edge) {
@@ -194,14 +254,23 @@ LinesOutput edgesOf(const Diagram& diagram, const Topology& topology, const Coor
     output.points = topology.vertices;
     output.ends = [&topology](std::size_t edge) { return topology.edge_vertices[edge]; };
   }
+  if (system.on_globe) {
+    output.path = [&](std::size_t edge) {
+      const auto site = static_cast<std::size_t>(topology.edge_cells[edge][0]);
+      return globeEdge(sites, diagram, site, topology.edge_entry[edge]);
+    };
+  }
   return output;
 }
 
 TriangulationLines triangulationLines(const Sites& sites, const Diagram& diagram) {
   TriangulationLines lines{triangulationEdges(sites, diagram), {}};
   lines.lengths.reserve(lines.sites.size());
-  for (const auto& [a, b] : lines.sites)
-    lines.lengths.push_back(std::hypot(sites.x[b] - sites.x[a], sites.y[b] - sites.y[a]));
+  const bool on_globe = !diagram.solid_angle.empty();
+  for (const auto& [a, b] : lines.sites) {
+    const Point from{sites.x[a], sites.y[a]}, to{sites.x[b], sites.y[b]};
+    lines.lengths.push_back(on_globe ? globeDistance(from, to) : std::hypot(to.x - from.x, to.y - from.y));
+  }
   return lines;
 }
 
@@ -210,7 +279,14 @@ LinesOutput linesOf(const TriangulationLines& lines, const Sites& shown, const C
     const auto [a, b] = lines.sites[edge];
     return unturned({{shown.x[a], shown.y[a]}, {shown.x[b], shown.y[b]}, a, b, lines.lengths[edge]}, system);
   };
-  return {"triangulation", lines.sites.size(), line, system};
+  LinesOutput output{"triangulation", lines.sites.size(), line, system};
+  if (system.on_globe) {
+    output.path = [&](std::size_t edge) {
+      const auto [a, b] = lines.sites[edge];
+      return globeWay({shown.x[a], shown.y[a]}, {shown.x[b], shown.y[b]});
+    };
+  }
+  return output;
 }
 
 Result<void> writeLines(ByteSink& sink, const LinesOutput& output, const EdgesFormat& format) {

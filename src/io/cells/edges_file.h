@@ -36,11 +36,15 @@ struct LinesOutput {
   /// Points that lines share, and the two of a line; empty: each has its own ends.
   std::span<const Point> points{};
   std::function<std::array<std::uint32_t, 2>(std::size_t)> ends{};
+  /// On the globe: the points of a line, a great circle, as of globeEdge(). Empty elsewhere, where lines are
+  /// straight.
+  std::function<std::vector<Point>(std::size_t)> path{};
 };
 
-/// Returns the edges of a diagram, each once, in the topology's order: that of their first cells. Both must
+/// Returns the edges of a diagram, each once, in the topology's order: that of their first cells. All must
 /// outlive the lines.
-LinesOutput edgesOf(const Diagram& diagram, const Topology& topology, const CoordinateSystem& system);
+LinesOutput edgesOf(const Sites& sites, const Diagram& diagram, const Topology& topology,
+                    const CoordinateSystem& system);
 
 /// The edges of a triangulation, each once.
 struct TriangulationLines {
@@ -48,7 +52,7 @@ struct TriangulationLines {
   std::vector<double> lengths;
 };
 
-/// Finds them for sites in the plane of a diagram with triangles.
+/// Finds them for sites in the plane, or on the globe, of a diagram with triangles.
 TriangulationLines triangulationLines(const Sites& sites, const Diagram& diagram);
 
 /// Returns them as lines between sites as files have them. Both must outlive the lines.

@@ -13,8 +13,8 @@ namespace {
 constexpr std::uint64_t number_size = sizeof(double), index_size = sizeof(std::int32_t);
 /// Bytes per site: of cellsMesh and of topologyOf with a table of positions; of text or features that are put
 /// together in memory, as measured.
-constexpr std::uint64_t mesh_site = 230, topology_site = 200, images_site = 36, text_site = 380,
-                        edges_text_site = 550;
+constexpr std::uint64_t mesh_site = 230, globe_mesh_site = 280, topology_site = 200, globe_edges_site = 120,
+                        images_site = 36, text_site = 380, edges_text_site = 550;
 
 /// Plans lists that grow by doubling, with `bytes` for each of `count` entries.
 MemoryPlan::Array planGrowing(MemoryPlan& plan, std::string_view what, std::uint64_t count,
@@ -51,14 +51,16 @@ void planDensity(MemoryPlan& plan, std::uint64_t pixels) {
 
 void planCellsFile(MemoryPlan& plan, const Workload& work, const CellsFormat& format,
                    std::uint64_t attribute_bytes) {
-  if (format.mesh) plan.drop(plan.take("the mesh to write", work.sites * mesh_site));
+  if (format.mesh)
+    plan.drop(plan.take("the mesh to write", work.sites * (work.globe ? globe_mesh_site : mesh_site)));
   if (format.in_memory) plan.drop(plan.take("the file to write", work.sites * text_site + attribute_bytes));
 }
 
 void planEdgesFiles(MemoryPlan& plan, const Workload& work, std::span<const EdgesFormat* const> formats) {
   if (formats.empty()) return;
   const bool in_memory = std::ranges::any_of(formats, &EdgesFormat::in_memory);
-  const auto topology = topology_site + (work.periodic ? images_site : 0) + (in_memory ? edges_text_site : 0);
+  const auto topology = topology_site + (work.periodic ? images_site : 0) +
+                        (work.globe ? globe_edges_site : 0) + (in_memory ? edges_text_site : 0);
   plan.drop(plan.take("the topology", work.sites * topology));
 }
 

@@ -57,7 +57,7 @@ Result<void> writeVtkXml(ByteSink& sink, const VtkPiece& piece) {
 
 VtkSection meshPoints(const CellsMesh& mesh) {
   return {"Points",
-          {vtkPoints("Points", mesh.points.size(), [&mesh](std::size_t i) { return mesh.points[i]; })}};
+          {vtkPoints("Points", mesh.points.size(), [&mesh](std::size_t i) { return mesh.inSpace(i); })}};
 }
 
 std::vector<VtkArray> meshFaces(const CellsMesh& mesh) {

@@ -47,7 +47,7 @@ VtkArray vtkNumbers(std::string_view name, std::uint64_t rows, NumberOf numberOf
           }};
 }
 
-/// One point for each row: pointOf(row), and z = 0.
+/// One point for each row: pointOf(row), a Point with z = 0, or a SpacePoint.
 template <class PointOf>
 VtkArray vtkPoints(std::string_view name, std::uint64_t rows, PointOf pointOf) {
   constexpr std::uint64_t components = 3;
@@ -57,8 +57,10 @@ VtkArray vtkPoints(std::string_view name, std::uint64_t rows, PointOf pointOf) {
           rows,
           rows * components * sizeof(double),
           [pointOf = std::move(pointOf)](Bytes& bytes, std::size_t row) {
-            const Point point = pointOf(row);
-            for (const double number : {point.x, point.y, 0.0}) {
+            const auto point = pointOf(row);
+            double z = 0;
+            if constexpr (std::is_same_v<std::remove_const_t<decltype(point)>, SpacePoint>) z = point.z;
+            for (const double number : {point.x, point.y, z}) {
               appendNumber<std::endian::little>(bytes, number);
             }
           }};

@@ -29,6 +29,7 @@ void forBoth(const Diagram& a, const Diagram& b, const Each& each) {
   each(a.status, b.status, "status");
   each(a.owner, b.owner, "owner");
   each(a.area, b.area, "area");
+  each(a.solid_angle, b.solid_angle, "solid angles");
   each(a.perimeter, b.perimeter, "perimeter");
   each(a.centroid, b.centroid, "centroid");
   each(a.second_moments, b.second_moments, "second moments");

@@ -1,0 +1,232 @@
+"""Cells of the whole Earth."""
+import os
+import pickle
+import subprocess
+import time
+
+import numpy as np
+import pytest
+
+import vorpipe
+from vorpipe import compat
+
+EARTH = 510065621.7240887  # km2
+
+
+def on_sphere(random, count):
+    """Unit vectors."""
+    ways = random.standard_normal((count, 3))
+    return ways / np.linalg.norm(ways, axis=1)[:, None]
+
+
+def degrees_of(ways):
+    x, y, z = np.asarray(ways).T
+    return np.degrees(np.column_stack((np.arctan2(y, x), np.arctan2(z, np.hypot(x, y)))))
+
+
+@pytest.fixture
+def places(random):
+    return degrees_of(on_sphere(random, 500))
+
+
+def test_cells_cover_the_earth(places):
+    diagram = vorpipe.cells(places, globe=True, check=True)
+    assert diagram.globe and diagram.crs == 'EPSG:4326' and diagram.domain == (-180, -90, 180, 90)
+    assert diagram.solid_angles.sum() == pytest.approx(4 * np.pi, rel=1e-12)
+    assert diagram.area_sum() == pytest.approx(EARTH, rel=1e-12)
+    assert diagram.check() == [] and diagram.adjacency().sum() == 2 * len(diagram.neighbor_pairs())
+    assert np.array_equal(diagram.points, places)
+    with vorpipe.Session('cpu') as session:
+        assert np.array_equal(session.cells(places, globe=True).vertices, diagram.vertices)
+    # The numbers of triangles and of cells are Euler's.
+    assert diagram.triangles.shape == (2 * len(places) - 4, 3)
+
+
+def test_areas_are_those_of_scipy(random):
+    spatial = pytest.importorskip('scipy.spatial')
+    ways = on_sphere(random, 20000)
+    diagram = vorpipe.cells(degrees_of(ways), globe=True)
+    theirs = spatial.SphericalVoronoi(ways)
+    assert np.abs(diagram.solid_angles - theirs.calculate_areas()).max() < 1e-12
+    edges = np.concatenate([theirs._simplices[:, sides] for sides in ([0, 1], [1, 2], [2, 0])])
+    assert np.array_equal(diagram.neighbor_pairs(), np.unique(np.sort(edges, axis=1), axis=0))
+
+
+@pytest.mark.parametrize('points', [
+    None, [(0, 90), (0, -90), (20, 10), (-150, 5), (100, -40)], [(10, 20)], [(10, 20), (200, -10)],
+    [(x, y) for x in range(-180, 180, 30) for y in range(-90, 91, 30)]])
+def test_polygons_are_valid_and_fill_the_map(places, points, tmp_path):
+    """As GDAL and GEOS read them."""
+    geopandas, shapely = pytest.importorskip('geopandas'), pytest.importorskip('shapely.ops')
+    diagram = vorpipe.cells(places if points is None else points, globe=True)
+    frame = diagram.to_geopandas()
+    assert frame.crs == 'EPSG:4326'
+    for kind in ('geojson', 'gpkg'):
+        diagram.save(tmp_path / f'cells.{kind}')
+        read = geopandas.read_file(tmp_path / f'cells.{kind}')
+        cells = read.geometry[diagram.status == 0]
+        assert cells.is_valid.all() and not cells.is_empty.any() and read.crs == 'EPSG:4326'
+        areas = np.array([cell.area for cell in cells])
+        assert areas.sum() == pytest.approx(360 * 180, rel=1e-9)
+        assert shapely.unary_union(list(cells)).area == pytest.approx(360 * 180, rel=1e-9)
+        assert all(a.equals(b) for a, b in zip(cells, frame.geometry[diagram.status == 0]))
+    diagram.save_edges(tmp_path / 'edges.gpkg')
+    if len(diagram.neighbors):
+        lines = geopandas.read_file(tmp_path / 'edges.gpkg').geometry
+        assert len(lines) == len(diagram.neighbors) // 2 and lines.is_valid.all()
+        assert np.abs(lines.bounds.to_numpy()).max() <= 180
+
+
+def test_areas_are_those_of_proj(places):
+    """PROJ has geodesics of the ellipsoid between points, which great circles leave by centimeters."""
+    pyproj = pytest.importorskip('pyproj')
+    pytest.importorskip('geopandas')
+    ellipsoid = pyproj.Geod(ellps='WGS84')
+    frame = vorpipe.cells(places, globe=True).to_geopandas()
+    areas = np.array([ellipsoid.geometry_area_perimeter(cell)[0] for cell in frame.geometry]) / 1e6
+    assert np.abs(areas / frame['area'] - 1).max() < 1e-6
+    assert areas.sum() == pytest.approx(EARTH, rel=1e-12)
+
+
+def test_places_are_in_the_cell_that_holds_them(places, random):
+    diagram = vorpipe.cells(places, globe=True)
+    assert np.array_equal(diagram.locate(places), np.arange(len(places)))
+    ways = on_sphere(random, 2000)
+    nearest = (ways @ np.column_stack(unit_of(places)).T).argmax(axis=1)
+    assert np.array_equal(diagram.locate(degrees_of(ways)), nearest)
+    assert diagram.locate((0, 95)) == vorpipe.NO_SITE
+
+
+def unit_of(places):
+    longitude, latitude = np.radians(places).T
+    return np.cos(latitude) * np.cos(longitude), np.cos(latitude) * np.sin(longitude), np.sin(latitude)
+
+
+def test_weights_are_squared_radii_in_kilometers():
+    diagram = vorpipe.cells([(0, 0), (90, 0), (180, 0), (-90, 0), (0, 90), (0, -90)], globe=True,
+                            weights=[4e6, 0, 0, 0, 0, 0], check=True)
+    assert diagram.areas[0] > 1.2 * diagram.areas[2]
+    with pytest.raises(vorpipe.InputError, match='^weights: site 0: weight 200000000'):
+        vorpipe.cells([(0, 0), (1, 1)], weights=[2e8, 0], globe=True)
+
+
+@pytest.mark.parametrize('arguments, message', [
+    ({'project': 'auto'}, '^globe: is '), ({'margin': 1}, '^(globe|margin): '), ({'search': 'flann'}, 'not for the globe'),
+    ({'density': np.ones((2, 2))}, 'not for the globe'), ({'surface': 'free', 'weights': [1, 1]}, '^surface: ')])
+def test_what_is_of_a_plane_is_refused(arguments, message):
+    with pytest.raises(vorpipe.InputError, match=message):
+        vorpipe.cells([(0, 0), (10, 10)], globe=True, **arguments)
+
+
+def test_what_cells_of_a_plane_have_is_refused(places):
+    diagram = vorpipe.cells(places, globe=True)
+    for read in (lambda: diagram.second_moments, diagram.triangle_mesh, diagram.area_jacobian,
+                 lambda: diagram.natural_neighbors(places), lambda: diagram.interpolate(np.ones(len(places)), places)):
+        with pytest.raises(vorpipe.InputError, match='^globe: .* of cells in a plane'):
+            read()
+    with pytest.raises(vorpipe.InputError, match='latitude'):
+        vorpipe.cells([(0, 100)], globe=True)
+    assert len(vorpipe.cells(places[:5]).solid_angles) == 0
+
+
+def test_files_pickles_and_plots_have_the_globe(places, tmp_path):
+    diagram = vorpipe.cells(places, globe=True, attributes={'name': [f'n{k}' for k in range(len(places))]})
+    again = pickle.loads(pickle.dumps(diagram))
+    assert again.globe and np.array_equal(again.solid_angles, diagram.solid_angles)
+    assert again.to_bytes('.geojson') == diagram.to_bytes('.geojson')
+    diagram.save(tmp_path / 'cells.npz')
+    with np.load(tmp_path / 'cells.npz') as saved:
+        assert np.array_equal(saved['solid_angles'], diagram.solid_angles) and 'second_moments' not in saved
+    for kind in ('csv', 'gpkg', 'vtp', 'vtu', 'vtk', 'obj', 'ply', 'svg', 'wkt', 'geojsonl'):
+        diagram.save(tmp_path / f'cells.{kind}')
+    diagram.save_edges(tmp_path / 'edges.gpkg')
+    assert '<svg' in diagram._repr_svg_() and diagram._repr_png_() is None
+    pytest.importorskip('matplotlib')
+    assert diagram.plot(show_sites=True).get_xlim() == (-180, 180)
+
+
+def faces_of(path):
+    """The points and faces of an .obj file."""
+    points, faces = [], []
+    for line in path.read_text().splitlines():
+        kind, *rest = line.split()
+        if kind == 'v':
+            points.append([float(number) for number in rest])
+        elif kind == 'f':
+            faces.append([int(number) - 1 for number in rest])
+    return np.array(points), faces
+
+
+@pytest.mark.parametrize('count', [1, 2, 3, 5, 60, 3000])
+def test_meshes_close_around_the_sphere(random, count, tmp_path):
+    diagram = vorpipe.cells(degrees_of(on_sphere(random, count)), globe=True)
+    diagram.save(tmp_path / 'cells.obj')
+    points, faces = faces_of(tmp_path / 'cells.obj')
+    assert np.linalg.norm(points, axis=1) == pytest.approx(1, abs=1e-12)
+    sides = [(face[k - 1], face[k]) for face in faces for k in range(len(face))]
+    # Each side once in either direction: nothing is open. Euler's formula: it is a sphere.
+    assert len(set(sides)) == len(sides) and {(b, a) for a, b in sides} == set(sides)
+    assert len(points) - len(sides) // 2 + len(faces) == 2
+    volume = sum(np.dot(points[face[0]], np.cross(points[face[k]], points[face[k + 1]]))
+                 for face in faces for k in range(1, len(face) - 1)) / 6
+    assert volume == pytest.approx(4 / 3 * np.pi, rel=0.02)
+
+
+def test_a_session_of_any_backend_has_the_same(places):
+    expected = vorpipe.cells(places, globe=True, backend='cpu')
+    for backend in os.environ.get('VORPIPE_EXPECTED_BACKENDS', 'cpu').split(','):
+        assert np.array_equal(vorpipe.cells(places, globe=True, backend=backend).vertices, expected.vertices)
+
+
+def test_the_program_has_the_same(places, tmp_path):
+    np.save(tmp_path / 'places.npy', places)
+    subprocess.run([os.environ['VORPIPE_PROGRAM'], 'cells', '--globe', '--sites', tmp_path / 'places.npy', '--quiet',
+                    '-o', tmp_path / 'cells.npz'], check=True)
+    with np.load(tmp_path / 'cells.npz') as saved:
+        assert np.array_equal(saved['areas'], vorpipe.cells(places, globe=True).areas)
+
+
+# vorpipe.compat
+
+def test_the_compatible_class_has_scipys_attributes(random):
+    spatial = pytest.importorskip('scipy.spatial')
+    center = np.array([1.0, 2, 3])
+    ways = 2 * on_sphere(random, 200) + center
+    ours, theirs = compat.SphericalVoronoi(ways, 2, center), spatial.SphericalVoronoi(ways, 2, center)
+    assert isinstance(ours, spatial.SphericalVoronoi)
+    assert ours.radius == 2 and np.array_equal(ours.center, center) and np.array_equal(ours.points, ways)
+    assert ours.vertices.shape == theirs.vertices.shape
+    ours.sort_vertices_of_regions()
+    theirs.sort_vertices_of_regions()
+    assert np.abs(ours.calculate_areas() - theirs.calculate_areas()).max() < 1e-11
+    for mine, other in zip(ours.regions, theirs.regions):
+        assert np.allclose(np.sort(ours.vertices[mine], axis=0), np.sort(theirs.vertices[other], axis=0))
+        # Counter-clockwise seen from outside.
+        a, b, c = ours.vertices[mine[:3]] - center
+        assert np.dot(np.cross(b - a, c - b), a) > 0
+
+
+@pytest.mark.parametrize('points, arguments, message', [
+    (np.eye(3), {}, 'Rank of input points must be at least 3'),
+    ([[1, 0, 0], [-1, 0, 0], [0, 1, 0], [0, 0, 1], [0, 0, 1]], {}, 'Duplicate generators present'),
+    (2 * np.concatenate((np.eye(3), -np.eye(3))), {}, 'Radius inconsistent with generators'),
+    (np.concatenate((np.eye(3), -np.eye(3))), {'radius': None}, '`radius` is `None`'),
+    (np.eye(4), {}, r'shape \(4, 4\)'), ([[np.nan, 0, 0]] * 5, {}, '')])
+def test_the_compatible_class_refuses_what_scipy_does(points, arguments, message):
+    with pytest.raises((ValueError, np.linalg.LinAlgError), match=message):
+        compat.SphericalVoronoi(points, **arguments)
+
+
+def test_it_is_many_times_as_fast_as_scipy(random):
+    """15 times and more with areas where nothing else runs; half of that is asked of a busy machine."""
+    spatial = pytest.importorskip('scipy.spatial')
+    ways = on_sphere(random, 50000)
+
+    def seconds(run):
+        begin = time.process_time()
+        run()
+        return time.process_time() - begin
+
+    theirs = seconds(lambda: spatial.SphericalVoronoi(ways).calculate_areas())
+    ours = min(seconds(lambda: compat.SphericalVoronoi(ways).calculate_areas()) for _ in range(3))
+    assert theirs > 4 * ours, (theirs, ours)
