@@ -108,7 +108,7 @@ Result<void> takeDomain(const InputOptions& options, Input& input, bool of_corne
                           options.crs,
                           {},
                           of_corners,
-                           options.globe};
+                          options.globe};
   if (!options.domain.file.empty()) {
     const auto attributes = options.by.empty() ? FeatureAttributes::dropped : FeatureAttributes::kept;
     auto read = readOutline(options.domain.file, options.domain_layer, attributes);
@@ -128,6 +128,9 @@ Result<Input> loadInput(const InputOptions& options) {
   if (options.sites == "-") reading.format = options.format.input;
   auto source = loadSites(options.sites, options.seed, reading, options.domain.box);
   if (!source) return named("--sites", std::move(source.error()));
+  if (isOfGlobe(options.sites) && !options.globe) {
+    return inputError(fmt::format("--sites: {} is of the whole Earth, and takes --globe", options.sites));
+  }
   Input input;
   input.sites = std::move(source->table.sites);
   input.attributes = std::move(source->table.attributes);
