@@ -131,6 +131,11 @@ Result<void> checkGlobe(const RelaxCommand& command) {
     return inputError(
         fmt::format("{} of a plane; leave out --globe, or draw the files of -o afterwards", what));
   };
+  const InputOptions& input = command.input;
+  if (input.domain.box || input.domain.hull || !input.domain.file.empty() || input.margin) {
+    return inputError(fmt::format("{}: with --globe sites relax on the whole Earth",
+                                  input.margin ? "--margin" : "--domain"));
+  }
   if (!command.targets.pictures.empty()) return refuse("--picture: is");
   if (!command.targets.frames.empty()) return refuse("--frames: are pictures");
   if (command.options.equal_masses) return inputError("--equal-masses: are of a plane, and not with --globe");
