@@ -129,6 +129,9 @@ Result<Input> loadInput(const InputOptions& options) {
   auto source = loadSites(options.sites, options.seed, reading,
                           options.globe ? std::optional<Box>() : options.domain.box);
   if (!source) return named("--sites", std::move(source.error()));
+  if (isOfGlobe(options.sites) && !options.globe) {
+    return inputError(fmt::format("--sites: {} is of the whole Earth, and takes --globe", options.sites));
+  }
   Input input;
   input.sites = std::move(source->table.sites);
   input.attributes = std::move(source->table.attributes);

@@ -42,6 +42,7 @@ Result<void> makeGenerator(InputOptions& options, std::uint64_t count, const Den
         fmt::format("--domain: {} draws sites in a domain, and so has no hull before it", options.sites));
   }
   options.sites = fmt::format("random:{}", count);
+  if (options.globe) return {};
   if (!options.domain.box && options.domain.file.empty()) {
     options.domain.box = density.box.value_or(
         Box{0, 0, static_cast<double>(density.width), static_cast<double>(density.height)});
@@ -65,9 +66,20 @@ PlacedSites placedBack(const Input& input, const Sites& sites) {
 
 CellsOptions cellsOptions(const SitesRun& run) {
   CellsOptions options = cellsOptionsOf(*run.input, run.options.search);
-  options.density = run.density.density;
+  if (!options.globe) options.density = run.density.density;
   options.detail = run.command.targets.detail();
   return options;
+}
+
+/// Draws the sites of density:N in place of those of the input.
+Result<void> drawSites(const SitesRun& run, std::uint64_t count, Input& input) {
+  const Density& density = run.density.density;
+  auto sites = input.globe ? drawnOnGlobe(density, count, run.source.seed)
+                           : drawnFrom(density, input.domain, input.outline, count, run.source.seed);
+  if (!sites) return asOption(std::move(sites.error()), run.source);
+  input.sites.x = std::move(sites->x);
+  input.sites.y = std::move(sites->y);
+  return {};
 }
 
 /// Returns which kinds of pictures are needed.
@@ -156,10 +168,7 @@ Result<void> SitesRun::load(const PlanRun& plan) {
   VORPIPE_VAR(colors, photographOf(command.picture, source, loaded));
   photograph = std::move(colors);
   if (sampled) {
-    auto sites = drawnFrom(density.density, loaded.domain, loaded.outline, *sampled, source.seed);
-    if (!sites) return asOption(std::move(sites.error()), source);
-    loaded.sites.x = std::move(sites->x);
-    loaded.sites.y = std::move(sites->y);
+    VORPIPE_TRY(drawSites(*this, *sampled, loaded));
   }
   input = std::move(loaded);
   return {};

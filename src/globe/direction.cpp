@@ -1,9 +1,13 @@
 #include "globe/direction.h"
 
+#include "base/parallel.h"
 #include "domain/degrees.h"
+#include "sites/weights.h"
 
 namespace vorpipe::core {
 namespace {
+
+constexpr std::size_t direction_grain = 1024;
 
 struct SineCosine {
   double sine, cosine;
@@ -50,6 +54,24 @@ double excessOf(double weight) {
   }
   const double sine = std::sin(radius / 2);
   return 2 * sine * sine / std::cos(radius);
+}
+
+SphereSites placedOn(const Sites& sites, int threads) {
+  const auto count = sites.size();
+  SphereSites placed;
+  placed.direction.resize(count);
+  const bool has_weights = hasWeights(sites);
+  if (has_weights) placed.excess.resize(count), placed.scaled.resize(count);
+  parallelFor(count, direction_grain, threadsForSteps(count, threads),
+              [&](std::size_t begin, std::size_t end) {
+                for (auto i = begin; i < end; ++i) {
+                  placed.direction[i] = directionOf({sites.x[i], sites.y[i]});
+                  if (!has_weights) continue;
+                  placed.excess[i] = excessOf(sites.weight[i]);
+                  placed.scaled[i] = (1 + placed.excess[i]) * placed.direction[i];
+                }
+              });
+  return placed;
 }
 
 Direction vectorOf(const Sites& sites, std::size_t site) {

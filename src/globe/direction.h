@@ -61,6 +61,9 @@ inline double depthOf(const SphereSites& sites, std::size_t other, std::size_t s
 /// 1 / cos(r) - 1 for a weight in km2; a negative one is that of an imaginary radius.
 double excessOf(double weight);
 
+/// The sites of a sphere, given in degrees.
+SphereSites placedOn(const Sites& sites, int threads);
+
 /// The vector of a site, as in SphereSites.
 Direction vectorOf(const Sites& sites, std::size_t site);
 

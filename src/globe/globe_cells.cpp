@@ -10,29 +10,11 @@
 #include "globe/outlined_cells.h"
 #include "globe/sphere_measures.h"
 #include "globe/sphere_mesh.h"
-#include "sites/weights.h"
 
 namespace vorpipe::core {
 namespace {
 
 constexpr std::size_t globe_grain = 1024;
-
-SphereSites placedOn(const Sites& sites, int threads) {
-  const auto count = sites.size();
-  SphereSites placed;
-  placed.direction.resize(count);
-  const bool has_weights = hasWeights(sites);
-  if (has_weights) placed.excess.resize(count), placed.scaled.resize(count);
-  parallelFor(count, globe_grain, threadsForSteps(count, threads), [&](std::size_t begin, std::size_t end) {
-    for (auto i = begin; i < end; ++i) {
-      placed.direction[i] = directionOf({sites.x[i], sites.y[i]});
-      if (!has_weights) continue;
-      placed.excess[i] = excessOf(sites.weight[i]);
-      placed.scaled[i] = (1 + placed.excess[i]) * placed.direction[i];
-    }
-  });
-  return placed;
-}
 
 /// Writes a cell's measures.
 void writeCell(const SphereSites& sites, const SphereCells& cells, std::size_t site, Diagram& diagram) {

@@ -37,9 +37,11 @@ Result<void> checkMovable(const Sites& sites, const CellsOptions& options, int t
                                      "{:.0e} to {:.0e}; scale the sites",
                                      width, height, sides.least, sides.most)));
   }
-  const auto& values = options.density.values;
-  if (values.empty()) return {};
-  const double largest = *std::ranges::max_element(values);
+  return options.density.values.empty() ? Result<void>{} : checkRange(options.density);
+}
+
+Result<void> checkRange(const Density& density) {
+  const double largest = *std::ranges::max_element(density.values);
   if (densities.contains(largest)) return {};
   return tl::unexpected(refusalOf(
       Subject::density, fmt::format("its largest value is {}: what moves sites takes {:.0e} to {:.0e}",

@@ -30,6 +30,9 @@ CellsOptions cellsOf(const Options& options) {
 /// Errors (input).
 Result<void> checkMovable(const Sites& sites, const CellsOptions& options, int threads);
 
+/// Refuses (input) a density whose largest value is not 1e-30 to 1e30.
+Result<void> checkRange(const Density& density);
+
 /// Which axes repeat.
 struct RepeatingAxes {
   bool x, y;

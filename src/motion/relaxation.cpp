@@ -9,10 +9,10 @@
 #include "base/stopwatch.h"
 #include "base/try.h"
 #include "motion/equal_masses.h"
+#include "motion/ground.h"
 #include "motion/memory_order.h"
 #include "motion/movable.h"
 #include "motion/quasi_newton.h"
-#include "motion/site_energy.h"
 #include "vorpipe.h"
 #include "vorpipe/stipple.h"
 
@@ -50,18 +50,15 @@ struct Relaxation::State {
   State(Session& with, RelaxOptions from, Sites begin)
       : session(with),
         options(std::move(from)),
-        cells(session, cellsOptions(options)),
-        allowed(options.domain, options.outline, options.periodic),
+        ground(options.globe ? globeGround(session, options) : planeGround(session, cellsOptions(options))),
         threads(session.threads()),
         sites(std::move(begin)) {}
 
   Session& session;
   RelaxOptions options;
-  MovingCells cells;
-  AllowedPlaces allowed;
+  std::unique_ptr<Ground> ground;
   int threads;
   Stopwatch watch{};
-  double lattice = 0;  ///< energy of the hexagonal lattice, times its number of cells
 
   std::vector<std::uint32_t> order{};  ///< of `sites`: see memoryOrder()
   Sites sites;                         ///< the result so far
@@ -92,23 +89,20 @@ struct Relaxation::State {
   void findDirection();
   void takeBack(std::size_t diagrams);
   void keep(Sites where, MeasuredSites measured);
-  [[nodiscard]] Result<Sites> moved(double length) const;
-  [[nodiscard]] Result<Sites> placed(Sites where) const;
+  [[nodiscard]] Result<Sites> moved(double length) const {
+    return ground->moved(sites, at, direction, length);
+  }
   [[nodiscard]] bool isAtRest();
 };
 
 /// Computes the diagram of the sites `where`, and records it.
 Result<MeasuredSites> Relaxation::State::measure(const Sites& where) {
-  VORPIPE_TRY(cells.update(where));
-  MeasuredSites measured = measureSites(where, cells.moments(), allowed, threads);
-  report = cells.report();
-  const auto count = static_cast<double>(measured.cells);
-  if (lattice == 0) lattice = latticeEnergy(measured.area);
+  VORPIPE_VAR(measured, ground->measure(where));
+  report = ground->report();
   RelaxStep step_done{trace.size()};
   step_done.energy = measured.energy;
-  // The energy of a lattice depends on the weights.
-  step_done.hexagonal = where.weight.empty() ? measured.energy * count / lattice : std::nan("");
-  step_done.farthest = measured.farthest / std::sqrt(measured.area / count);
+  step_done.hexagonal = measured.hexagonal;
+  step_done.farthest = measured.farthest / std::sqrt(measured.area / static_cast<double>(measured.cells));
   step_done.seconds = watch.seconds();
   trace.push_back(step_done);
   return measured;
@@ -121,32 +115,10 @@ void Relaxation::State::keep(Sites where, MeasuredSites measured) {
   callers_are_old = true;
 }
 
-/// Returns the sites as placed in the domain.
-Result<Sites> Relaxation::State::placed(Sites where) const {
-  if (options.periodic == Periodic::none) return where;
-  return wrapped(where, options.domain, options.periodic, threads);
-}
-
-/// Returns the sites moved along the direction, but not out of the domain.
-Result<Sites> Relaxation::State::moved(double length) const {
-  const std::size_t count = sites.size();
-  Sites where = sites;
-  forAll(count, threads, [&](std::size_t i) {
-    const Point to{sites.x[i] + length * direction[i], sites.y[i] + length * direction[count + i]};
-    const Point place = at.inverse[i] > 0 ? allowed.nearestTo(to) : Point{sites.x[i], sites.y[i]};
-    where.x[i] = place.x;
-    where.y[i] = place.y;
-  });
-  return placed(std::move(where));
-}
-
 /// Whether only rounding is left to gain: the sites last did not move, or for long neither energy nor the
 /// remaining distances have decreased.
 bool Relaxation::State::isAtRest() {
-  const Box& box = options.domain;
-  const double reach =
-      std::max({std::abs(box.xmin), std::abs(box.xmax), std::abs(box.ymin), std::abs(box.ymax)});
-  if (at.farthest <= 4 * std::numeric_limits<double>::epsilon() * reach) return true;
+  if (at.farthest <= 4 * std::numeric_limits<double>::epsilon() * ground->reach()) return true;
   const bool falls = at.energy < least_energy - energy_rounding * 10 * at.scale;
   const bool nears = at.farthest < 0.9 * least_way;
   least_energy = falls ? at.energy : least_energy;
@@ -160,20 +132,13 @@ double Relaxation::State::slope() const {
   return carefulSum(direction.size(), threads, [&](std::size_t k) { return at.gradient[k] * direction[k]; });
 }
 
-/// Finds the direction of the next step. A site that it would move out of the domain takes Lloyd's step
-/// instead.
+/// Finds the direction of the next step.
 void Relaxation::State::findDirection() {
-  const std::size_t count = sites.size();
   step = 1;
   steepest = options.method == RelaxMethod::lloyd || newton.empty();
   if (!steepest) {
     newton.direction(at.gradient, at.inverse, direction);
-    forAll(count, threads, [&](std::size_t i) {
-      const Point to{sites.x[i] + direction[i], sites.y[i] + direction[count + i]};
-      if (allowed.contain(to) && at.inverse[i] > 0) return;
-      direction[i] = at.way[i];
-      direction[count + i] = at.way[count + i];
-    });
+    ground->bend(sites, at, direction);
     steepest = !(slope() < 0);
   }
   if (!steepest) return;
@@ -185,10 +150,10 @@ void Relaxation::State::findDirection() {
 Result<bool> Relaxation::State::moveLost() {
   direction = at.way;
   VORPIPE_VAR(where, moved(1));
-  const LostSites now = placeLostSites(sites, cells.moments(), allowed, where);
+  const LostSites now = ground->placeLost(sites, where);
   lost.hidden = now.hidden;
   if (!now.moved()) return false;
-  VORPIPE_VAR(places, placed(std::move(where)));
+  VORPIPE_VAR(places, ground->placed(std::move(where)));
   VORPIPE_VAR(measured, measure(places));
   lost.duplicates += now.duplicates;
   lost.outside += now.outside;
@@ -204,7 +169,6 @@ Result<bool> Relaxation::State::moveLost() {
 /// try.
 Result<bool> Relaxation::State::tryStep() {
   if (step == 0) findDirection();
-  const std::size_t count = sites.size();
   VORPIPE_VAR(where, moved(step));
   VORPIPE_VAR(measured, measure(where));
   const bool lloyd = options.method == RelaxMethod::lloyd;
@@ -213,8 +177,8 @@ Result<bool> Relaxation::State::tryStep() {
   };
   if (lloyd || falls()) {
     if (!lloyd) {
-      std::vector<double> way(2 * count), change(2 * count);
-      forAll(2 * count, threads, [&](std::size_t k) {
+      std::vector<double> way(direction.size()), change(direction.size());
+      forAll(direction.size(), threads, [&](std::size_t k) {
         way[k] = step * direction[k];
         change[k] = measured.gradient[k] - at.gradient[k];
       });
@@ -289,26 +253,23 @@ Relaxation& Relaxation::operator=(Relaxation&&) noexcept = default;
 Relaxation::~Relaxation() = default;
 
 Result<Relaxation> Relaxation::begin(Session& session, Sites sites, RelaxOptions options) {
-  const auto cells = cellsOptions(options);
   VORPIPE_TRY(checkTolerance(options.tolerance));
-  VORPIPE_TRY(checkMovable(sites, cells, session.threads()));
+  VORPIPE_TRY(options.globe ? checkMovableOnGlobe(sites, options, session.threads())
+                            : checkMovable(sites, cellsOptions(options), session.threads()));
   Relaxation relaxation;
   relaxation.state_ = std::make_unique<State>(session, std::move(options), std::move(sites));
   State& state = *relaxation.state_;
   // Along periodic axes places are rounded; sites that do not move keep the caller's places.
-  const bool repeats = state.options.periodic != Periodic::none;
+  const bool repeats = !state.options.globe && state.options.periodic != Periodic::none;
   Sites given = repeats ? state.sites : Sites{};
-  VORPIPE_VAR(places, state.placed(std::move(state.sites)));
-  if (!state.options.density.values.empty()) {
-    VORPIPE_LET(lattice, latticeEnergy(session, places, cells));
-    state.lattice = lattice;
-  }
-  state.order = memoryOrder(places, state.options.domain);
+  VORPIPE_VAR(places, state.ground->placed(std::move(state.sites)));
+  VORPIPE_TRY(state.ground->prepare(places));
+  state.order = memoryOrder(places, state.ground->box());
   Sites ordered = inOrder(places, state.order);
   auto measured = state.measure(ordered);
   if (!measured && measured.error().code == ErrorCode::input) {
     // Errors must name the caller's sites by their numbers.
-    VORPIPE_TRY(state.cells.update(places));
+    VORPIPE_TRY(state.ground->measure(places));
   }
   if (!measured) return tl::unexpected(std::move(measured.error()));
   state.keep(std::move(ordered), std::move(*measured));
@@ -357,7 +318,7 @@ RelaxEnd Relaxation::end() const { return state_->end; }
 const Report& Relaxation::report() const {
   State& state = *state_;
   Report& report = state.report;
-  report.notes = state.cells.report().notes;
+  report.notes = state.ground->report().notes;
   for (std::string& line : state.lost.notes()) report.notes.push_back(std::move(line));
   if (!state.equal_note.empty()) report.notes.push_back(state.equal_note);
   return report;

@@ -25,7 +25,7 @@ using Site = std::uint32_t;
 /// Seats `guests` around the host's new position, well inside a round cell of its area, in the pattern of a
 /// sunflower's seeds: no two positions coincide.
 void seat(Site host, const std::vector<Site>& guests, double turned, const CellMoments& moments,
-          const AllowedPlaces& allowed, Sites& places) {
+          const Seats& seats, Sites& places) {
   constexpr double golden_angle = 2.399963229728653, part_of_cell = 0.25;
   const double reach = part_of_cell * std::sqrt(moments.area[host]);
   const auto count = static_cast<double>(guests.size());
@@ -33,13 +33,13 @@ void seat(Site host, const std::vector<Site>& guests, double turned, const CellM
     const double rank = static_cast<double>(k) + 0.5, angle = golden_angle * (rank + turned);
     const double far = reach * std::sqrt(rank / count);
     const Point place =
-        allowed.nearestTo({places.x[host] + far * std::cos(angle), places.y[host] + far * std::sin(angle)});
+        seats.beside({places.x[host], places.y[host]}, far * std::cos(angle), far * std::sin(angle));
     places.x[guests[k]] = place.x;
     places.y[guests[k]] = place.y;
   }
 }
 
-std::uint64_t seatDuplicates(const Sites& sites, const CellMoments& moments, const AllowedPlaces& allowed,
+std::uint64_t seatDuplicates(const Sites& sites, const CellMoments& moments, const Seats& seats,
                              Sites& places) {
   std::map<std::pair<double, double>, std::vector<Site>> guests;
   std::uint64_t count = 0;
@@ -52,18 +52,19 @@ std::uint64_t seatDuplicates(const Sites& sites, const CellMoments& moments, con
     if (moments.status[i] != Status::ok) continue;
     const auto found = guests.find({sites.x[i], sites.y[i]});
     if (found == guests.end()) continue;
-    seat(i, found->second, static_cast<double>(i), moments, allowed, places);
+    seat(i, found->second, static_cast<double>(i), moments, seats, places);
   }
   return count;
 }
 
 /// Returns the cells with the most energy, in descending order: as many as there are guests, if there are
 /// enough.
-std::vector<Site> costliest(const Sites& sites, const CellMoments& moments, std::size_t count) {
+std::vector<Site> costliest(const Sites& sites, const CellMoments& moments, const Seats& seats,
+                            std::size_t count) {
   std::vector<std::pair<double, Site>> cells;
   for (Site i = 0; i < sites.size(); ++i) {
     if (moments.status[i] != Status::ok || !(moments.mass[i] > 0)) continue;
-    cells.emplace_back(-energyOf(sites, moments, i), i);
+    cells.emplace_back(-seats.energyOf(sites, i), i);
   }
   count = std::min(count, cells.size());
   std::ranges::partial_sort(cells, cells.begin() + static_cast<std::ptrdiff_t>(count));
@@ -73,13 +74,13 @@ std::vector<Site> costliest(const Sites& sites, const CellMoments& moments, std:
 }
 
 void seatMassless(const Sites& sites, const CellMoments& moments, const std::vector<Site>& massless,
-                  const AllowedPlaces& allowed, Sites& places) {
-  const auto hosts = costliest(sites, moments, massless.size());
+                  const Seats& seats, Sites& places) {
+  const auto hosts = costliest(sites, moments, seats, massless.size());
   if (hosts.empty()) return;
   std::vector<std::vector<Site>> guests(hosts.size());
   for (std::size_t k = 0; k < massless.size(); ++k) guests[k % hosts.size()].push_back(massless[k]);
   for (std::size_t k = 0; k < hosts.size(); ++k) {
-    seat(hosts[k], guests[k], static_cast<double>(k), moments, allowed, places);
+    seat(hosts[k], guests[k], static_cast<double>(k), moments, seats, places);
   }
 }
 
@@ -176,26 +177,25 @@ std::vector<std::string> LostSites::notes() const {
   return lines;
 }
 
-LostSites placeLostSites(const Sites& sites, const CellMoments& moments, const AllowedPlaces& allowed,
-                         Sites& places) {
+LostSites placeLostSites(const Sites& sites, const CellMoments& moments, const Seats& seats, Sites& places) {
   LostSites lost;
   std::vector<Site> massless;
   for (Site i = 0; i < sites.size(); ++i) {
     if (moments.status[i] == Status::ok && !(moments.mass[i] > 0)) massless.push_back(i);
     if (moments.status[i] != Status::empty) continue;
     const Point place{sites.x[i], sites.y[i]};
-    if (allowed.contain(place)) {
+    if (seats.contain(place)) {
       ++lost.hidden;
       continue;
     }
-    const Point inside = allowed.nearestTo(place);
+    const Point inside = seats.nearestTo(place);
     places.x[i] = inside.x;
     places.y[i] = inside.y;
     ++lost.outside;
   }
-  lost.duplicates = seatDuplicates(sites, moments, allowed, places);
+  lost.duplicates = seatDuplicates(sites, moments, seats, places);
   lost.massless = massless.size();
-  seatMassless(sites, moments, massless, allowed, places);
+  seatMassless(sites, moments, massless, seats, places);
   return lost;
 }
 

@@ -10,6 +10,9 @@
 
 #include "base/refusal.h"
 #include "base/try.h"
+#include "domain/cell_mass.h"
+#include "domain/degrees.h"
+#include "globe/globe_density.h"
 #include "motion/movable.h"
 
 namespace vorpipe {
@@ -146,6 +149,20 @@ Result<Sites> drawnFrom(const Density& density, const Box& domain, const Outline
     sites.y.push_back(place.y);
   }
   return sites;
+}
+
+Result<Sites> drawnOnGlobe(Density density, std::uint64_t count, std::uint64_t seed) {
+  if (density.values.empty()) return drawnFrom(density, {}, {}, count, seed);
+  VORPIPE_TRY(core::checkDensity(density));
+  VORPIPE_TRY(core::checkOnGlobe(density));
+  const Box box = core::boxOnGlobe(density);
+  const auto width = static_cast<std::size_t>(density.width);
+  for (std::size_t k = 0; k < density.values.size(); ++k) {
+    const double row = static_cast<double>(k / width) + 0.5;
+    density.values[k] *= std::cos((box.ymax - row * (box.ymax - box.ymin) / density.height) * degree);
+  }
+  density.box.reset();
+  return drawnFrom(density, box, {}, count, seed);
 }
 
 Density forEqualMasses(Density density) {

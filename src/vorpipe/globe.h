@@ -91,4 +91,14 @@ struct GlobeBorder {
 };
 GlobeBorder globeBorder(const Sites& sites, const Diagram& diagram, std::size_t site, double longest);
 
+/// Generators of places that are spread evenly over the globe.
+enum class GlobePattern : std::uint8_t {
+  icosahedral,  ///< a geodesic grid: the corners of an icosahedron, whose faces have k^2 triangles each
+  fibonacci,    ///< a spiral by the golden angle
+};
+
+/// n places in degrees. A geodesic grid has n = 10 k^2 + 2. Halves of edges are along great circles, other
+/// parts are of equal length in the face. Error (input): no grid has n places.
+Result<Sites> generateOnGlobe(GlobePattern pattern, std::uint64_t n);
+
 }  // namespace vorpipe

@@ -33,6 +33,10 @@ struct RelaxOptions {
   std::uint64_t iterations = 50;  ///< maximum number of diagrams after the first
   double tolerance = 0;           ///< ends when no site would move by this fraction of the spacing; 0: never
   Progress progress;              ///< may be empty
+  /// Sites are degrees of longitude and latitude, and move on the sphere (globe.md): domain, outline and
+  /// period are not used. The density is read between the centers of its pixels, whose box is in degrees.
+  /// Distances are straight through the unit sphere, areas in steradians. There are no equal masses.
+  bool globe = false;
 };
 
 /// One diagram of a relaxation; number 0 is that of the initial sites.

@@ -17,6 +17,10 @@ namespace vorpipe {
 Result<Sites> drawnFrom(const Density& density, const Box& domain, const Outline& outline,
                         std::uint64_t count, std::uint64_t seed);
 
+/// The same on the globe, in degrees: a density without a box of its own covers the Earth, and areas are
+/// those on the sphere.
+Result<Sites> drawnOnGlobe(Density density, std::uint64_t count, std::uint64_t seed);
+
 /// Returns the density under which relaxed cells have equal masses of the given one. Many relaxed sites are
 /// as dense as the square root of the density that they relax under (Gersho 1979). The result is therefore
 /// the square of the values, relative to the greatest.

@@ -59,6 +59,31 @@ succeeds "a stipple" relax --backend cpu --sites density:800 --density in/sphere
 awk -F, 'NR > 1 { mass[NR] = $12; sum += $12 } END { for (k in mass) { part = mass[k] * (NR - 1) / sum; if (part > 0.85 && part < 1.15) near++ }
   exit near < 0.9 * (NR - 1) }' out/mass.csv || fail "masses are not equal"
 
+# -- On the globe ---------------------------------------------------------------------------------------
+sides() { # sides FILE.csv: how many cells have 5, 6 and other numbers of neighbors
+  awk -F, 'NR > 1 { n = split($NF, of, " "); if (n == 5) five++; else if (n == 6) six++; else others++ }
+    END { print five + 0, six + 0, others + 0 }' "$1"
+}
+succeeds "a geodesic grid" relax --backend cpu --globe --sites icosahedral:2562 --iterations 20 --cells out/grid.csv --stats out/grid.json \
+  -o out/grid-sites.csv --trace out/grid-trace.csv
+expect " of the hexagonal lattice's) after 20 diagrams (iterations)"
+[ "$(sides out/grid.csv)" = "12 2550 0" ] || fail "not 12 pentagons and hexagons: $(sides out/grid.csv)"
+[ "$(head -n 1 out/grid-sites.csv)" = lon,lat ] || fail "the sites are not in degrees"
+cp out/grid-sites.csv in/grid-sites.csv && cp out/grid.csv in/grid.csv
+succeeds "again on the globe" rerun --quiet out/grid.json
+cmp out/grid-sites.csv in/grid-sites.csv || fail "a run that is done again differs"
+succeeds "its cells" cells --backend cpu --globe --sites out/grid-sites.csv --check -o out/grid-cells.csv
+[ "$(sides out/grid-cells.csv)" = "12 2550 0" ] || fail "the sites that were written have other cells"
+succeeds "Lloyd's steps on the globe" relax --backend cpu --globe --sites random:2562 --method lloyd --iterations 100 --cells out/even.csv \
+  --trace out/even-trace.csv
+awk -F, 'NR > 2 && $2 >= before { exit 1 } { before = $2 }' out/even-trace.csv || fail "the energy rises on the globe"
+sides out/even.csv | awk '{ exit $2 < 0.75 * 2562 }' || fail "not 75 % hexagons"
+succeeds "sites from a density of the Earth" relax --backend cpu --globe --sites density:300 --density in/spheres.png --iterations 3 \
+  --threads 1 -o out/earth-1.npy
+succeeds "by two threads" relax --backend cpu --globe --sites density:300 --density in/spheres.png --iterations 3 --threads 2 \
+  -o out/earth-2.npy
+cmp out/earth-1.npy out/earth-2.npy || fail "threads change places on the globe"
+
 # -- Refusals -------------------------------------------------------------------------------------------
 wrong() {
   local what=$1 text=$2
@@ -81,6 +106,16 @@ printf '\x93NUMPY\1\0\x76\0%-117s\n\0\0\0\0' "{'descr': '<f4', 'fortran_order': 
 wrong "a density of nothing" "--density: has no mass to draw sites from" --sites density:9 --density in/nothing.npy -o out/old.csv
 wrong "no number" "density:x" --sites density:x --density in/spheres.png -o out/old.csv
 wrong "masses of nothing" "--equal-masses: is for a --density" --sites random:9 --equal-masses -o out/old.csv
+wrong "a number of no grid" "no geodesic grid has 100 places: they have 10 k^2 + 2, and next to it are 92 and 162" --globe \
+  --sites icosahedral:100 -o out/old.csv
+wrong "a grid without the globe" "icosahedral:42 is of the whole Earth, and takes --globe" --sites icosahedral:42 -o out/old.csv
+wrong "a picture of the globe" "--picture: is of a plane" --globe --sites random:9 --picture out/old.png
+wrong "frames of the globe" "--frames: are pictures of a plane" --globe --sites random:9 --frames out/old
+wrong "a domain on the globe" "--domain: with --globe" --globe --sites random:9 --domain 0,0,1,1 -o out/old.csv
+wrong "equal masses on the globe" "--equal-masses: are of a plane" --globe --sites random:9 --equal-masses --density in/spheres.png \
+  -o out/old.csv
+wrong "a density beyond the globe" "is not on the globe" --globe --sites random:9 --density in/spheres.png --density-box 0,0,400,90 \
+  -o out/old.csv
 wrong "too little memory" "--memory-limit" --sites random:100000 --memory-limit 20MB -o out/old.csv
 
 # -- Ctrl-C ---------------------------------------------------------------------------------------------

@@ -35,9 +35,9 @@ def test_cells_cover_the_earth(places):
     assert diagram.solid_angles.sum() == pytest.approx(4 * np.pi, rel=1e-12)
     assert diagram.area_sum() == pytest.approx(EARTH, rel=1e-12)
     assert diagram.check() == [] and diagram.adjacency().sum() == 2 * len(diagram.neighbor_pairs())
-    assert np.array_equal(diagram.points, places)
+    assert np.array_equal(diagram.sites, places)
     with vorpipe.Session('cpu') as session:
-        assert np.array_equal(session.cells(places, globe=True).vertices, diagram.vertices)
+        assert np.array_equal(session.cells(places, globe=True).cell_vertices, diagram.cell_vertices)
     # The numbers of triangles and of cells are Euler's.
     assert diagram.triangles.shape == (2 * len(places) - 4, 3)
 
@@ -175,7 +175,7 @@ def test_meshes_close_around_the_sphere(random, count, tmp_path):
 def test_a_session_of_any_backend_has_the_same(places):
     expected = vorpipe.cells(places, globe=True, backend='cpu')
     for backend in os.environ.get('VORPIPE_EXPECTED_BACKENDS', 'cpu').split(','):
-        assert np.array_equal(vorpipe.cells(places, globe=True, backend=backend).vertices, expected.vertices)
+        assert np.array_equal(vorpipe.cells(places, globe=True, backend=backend).cell_vertices, expected.cell_vertices)
 
 
 def test_the_program_has_the_same(places, tmp_path):

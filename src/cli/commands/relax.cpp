@@ -50,6 +50,7 @@ RelaxOptions relaxOptions(const RelaxCommand& command, const SitesRun& run) {
   options.domain = run.input->domain;
   options.outline = run.input->outline;
   options.periodic = run.input->periodic;
+  options.globe = run.input->globe;
   options.density = run.density.density;
   options.search = command.search;
   options.progress = untilSignal();
@@ -124,6 +125,23 @@ Result<void> writeFiles(const RelaxCommand& command, SitesRun& run, const Relaxe
   return run.write(relaxed.sites, std::move(output));
 }
 
+/// Rejects what is of a plane.
+Result<void> checkGlobe(const RelaxCommand& command) {
+  const auto refuse = [](const char* what) {
+    return inputError(
+        fmt::format("{} of a plane; leave out --globe, or draw the files of -o afterwards", what));
+  };
+  const InputOptions& input = command.input;
+  if (input.domain.box || input.domain.hull || !input.domain.file.empty() || input.margin) {
+    return inputError(fmt::format("{}: with --globe sites relax on the whole Earth",
+                                  input.margin ? "--margin" : "--domain"));
+  }
+  if (!command.targets.pictures.empty()) return refuse("--picture: is");
+  if (!command.targets.frames.empty()) return refuse("--frames: are pictures");
+  if (command.options.equal_masses) return inputError("--equal-masses: are of a plane, and not with --globe");
+  return {};
+}
+
 /// Rejects options that nothing uses, and sets the format of standard output.
 Result<void> checkCommand(RelaxCommand& command, const SitesRun& run) {
   if (command.targets.frames.empty()) {
@@ -136,6 +154,9 @@ Result<void> checkCommand(RelaxCommand& command, const SitesRun& run) {
   }
   if (command.options.equal_masses && command.density.empty()) {
     return inputError("--equal-masses: is for a --density; without one masses are areas");
+  }
+  if (command.input.globe) {
+    VORPIPE_TRY(checkGlobe(command));
   }
   return takeFormat(command.targets, command.input);
 }
@@ -180,6 +201,7 @@ void addRelax(CommandLine& line) {
       "relax", "moves sites until each is the centroid of its cell; under a density, as in stippling",
       [command](const Invocation& how) { return relax(*command, how); });
   addInputOptions(options, command->input).required();
+  addGlobe(options, command->input);
   addMethodOptions(options, *command);
   options.group("Output");
   addRelaxTargets(options, command->targets);

@@ -28,10 +28,11 @@ std::vector<std::string> strings(const std::vector<std::string_view>& names) {
 
 std::string sitesDescription() {
   return fmt::format(
-      "the sites: a file ({}; also with .gz after it), - for standard input, or a generator ({}:N). The "
-      "header of "
+      "the sites: a file ({}; also with .gz after it), - for standard input, or a generator ({}:N; with "
+      "--globe also {}:N). The header of "
       "CSV names x and y, or lon and lat, and perhaps weight or radius; other columns are attributes",
-      anyOf(strings(sitesExtensions())), fmt::join(patternNames(), ":N, "));
+      anyOf(strings(sitesExtensions())), fmt::join(patternNames(), ":N, "),
+      fmt::join(globePatternNames(), ":N, "));
 }
 
 /// A number of 0 or more, optionally followed by %.
@@ -188,7 +189,9 @@ Option addReport(Options& options, const std::string& name, std::string& target,
 
 Choices sitesChoices() {
   Choices choices{{}, strings(sitesExtensions())};
-  for (const std::string_view pattern : patternNames()) choices.words.push_back(fmt::format("{}:", pattern));
+  for (const auto& names : {patternNames(), globePatternNames()}) {
+    for (const std::string_view pattern : names) choices.words.push_back(fmt::format("{}:", pattern));
+  }
   return choices;
 }
 

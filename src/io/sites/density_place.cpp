@@ -43,7 +43,11 @@ double coveredPart(const Box& box, const Box& by) {
 Result<void> checkCovered(const Density& density, const std::string& about, PlacedSites& placed,
                           const DomainWords& words) {
   constexpr double percent = 100, rounding = 1e-9;
-  const Box &box = *density.box, &domain = placed.domain;
+  const Box& box = *density.box;
+  constexpr double turn = 360;
+  // On the globe longitudes are of any turn.
+  const Box domain =
+      placed.globe ? Box{box.xmin, placed.domain.ymin, box.xmin + turn, placed.domain.ymax} : placed.domain;
   const double covered = coveredPart(domain, box);
   if (!(covered < 1 - rounding)) return {};
   if (covered == 0) {

@@ -24,18 +24,25 @@ Sites sitesOf(const Generator& generator, const std::optional<Box>& box);
 
 struct SiteSource {
   SiteTable table;
-  std::optional<Generator> generator;  ///< none when the sites come from a file
+  std::optional<Generator>
+      generator;  ///< none when the sites come from a file, or are those of a GlobePattern
 };
 
-/// The patterns that loadSites takes, in the order in which messages name them.
+/// The patterns that loadSites takes, in the order in which messages name them; and those that are of the
+/// globe.
 std::vector<std::string_view> patternNames();
+std::vector<std::string_view> globePatternNames();
+
+/// Whether `spec` asks for a pattern of the globe, whose sites are degrees.
+bool isOfGlobe(std::string_view spec);
 
 /// Returns the N that `spec` asks a generator for; none if it names a file or is wrong.
 std::optional<std::uint64_t> generatedCount(std::string_view spec);
 
 /// Reads or generates the sites of `spec`: PATTERN:N (random, square, hex, jitter, clusters, circle; N sites)
-/// in the box, or what readSites takes, with its options. For a file of such a name write ./PATTERN:N.
-/// Errors: those of readSites, N is not a number from 1 to max_sites (input), memory ran out (device).
+/// in the box; icosahedral:N or fibonacci:N, in degrees on the globe; or what readSites takes, with its
+/// options. For a file of such a name write ./PATTERN:N. Errors: those of readSites and generateOnGlobe, N is
+/// not a number from 1 to max_sites (input), memory ran out (device).
 Result<SiteSource> loadSites(const std::string& spec, std::uint64_t seed, const ReadOptions& options = {},
                              const std::optional<Box>& box = {});
 
