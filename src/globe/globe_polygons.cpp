@@ -65,6 +65,8 @@ class UnrolledBorder {
   [[nodiscard]] std::vector<Point> line() && {
     if (points_.size() > 1 && std::abs(points_.front().y) == quarter_turn && points_[1].y == points_[0].y) {
       points_.erase(points_.begin());
+      const double turn = whole_turn * std::round(points_.front().x / whole_turn);
+      for (Point& p : points_) p.x -= turn;
     }
     return std::move(points_);
   }

@@ -68,7 +68,7 @@ TEST(GlobeCellsOf, LatticesHaveTheirSquares) {
 
 TEST(GlobeCellsOf, LongitudesOfAnyTurnAreTheSame) {
   const Diagram cells = cellsOf({{190, 30, -80}, {10, 20, -40}, {}}, ofGlobe()),
-                turned = cellsOf({{-170, 390, 280}, {10, 20, -40}, {}}, ofGlobe());
+                turned = cellsOf({{-170, -330, 280}, {10, 20, -40}, {}}, ofGlobe());
   EXPECT_EQ(cells.vertices, turned.vertices);
   EXPECT_EQ(cells.area, turned.area);
 }
@@ -206,7 +206,7 @@ TEST(GlobeLines, AreGreatCirclesCutAt180Degrees) {
   ASSERT_EQ(parts.size(), 2u);
   EXPECT_EQ(parts[0].back().x, 180);
   EXPECT_EQ(parts[1].front().x, -180);
-  EXPECT_NEAR(globeDistance({0, 0}, {0, 90}), 10007.557, 1e-3);
+  EXPECT_NEAR(globeDistance({0, 0}, {0, 90}), 10007.55468, 1e-4);
   // Over a pole, and from it.
   EXPECT_EQ(std::ranges::max(globeWay({0, 80}, {180, 80}), {}, &Point::y).y, 90);
   EXPECT_NEAR(globeWay({0, 90}, {50, 10}).front().x, 50, 1e-12);
@@ -285,7 +285,7 @@ TEST_F(CheckGlobe, FindsWrongOwners) {
   EXPECT_THAT(broken(), Contains("owners"));
   cells = cellsOf(sites, ofGlobe());
   cells.status[3] = Status::empty;
-  EXPECT_THAT(broken(), Contains("owners"));
+  EXPECT_THAT(broken(), ElementsAre("neighbors"));
 }
 
 TEST_F(CheckGlobe, FindsANeighborOnOneSideAlone) {
