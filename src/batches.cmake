@@ -54,6 +54,7 @@ set(vorpipe_alone
     cpu/nearest_site.cpp
     cells/site_mesh.cpp
     geometry/triangulation.cpp
+    globe_places.cpp
     legend.cpp
     session/locator.cpp
     bench/plot.cpp

@@ -423,9 +423,9 @@ enum {
   VORPIPE_BORDER_NEIGHBORS = 24, /* by part: int64, as VORPIPE_CELL_NEIGHBORS */
   /* Cells as indexed triangles for a GPU, found when first asked for: each vertex belongs to one cell. Of
    * VORPIPE_EVERYTHING and VORPIPE_POLYGONS. */
-  VORPIPE_MESH_VERTICES = 25, /* 2 floats: VORPIPE_CELL_VERTICES, rounded */
-  VORPIPE_MESH_SITES = 26,    /* by vertex: uint32 */
-  VORPIPE_MESH_TRIANGLES = 27, /* 3 uint32: vertices, counter-clockwise, cell after cell */
+  VORPIPE_MESH_VERTICES = 25,   /* 2 floats: VORPIPE_CELL_VERTICES, rounded */
+  VORPIPE_MESH_SITES = 26,      /* by vertex: uint32 */
+  VORPIPE_MESH_TRIANGLES = 27,  /* 3 uint32: vertices, counter-clockwise, cell after cell */
   VORPIPE_CELL_SOLID_ANGLE = 28 /* by site: double, steradians; of the globe */
 };
 

@@ -68,8 +68,9 @@ double angleOf(double y, double x) {
   return tangent * (1 - squared * (1.0 / 3 - squared * (1.0 / 5 - squared * (1.0 / 7))));
 }
 
-/// Below `small` a cell's centroid is that of its flat triangles; arcs up to `longest` are measured at once.
-constexpr double small = 1e-4, longest = 0.25;  // radians
+/// Below `small_cell` a cell's centroid is that of its flat triangles; arcs up to `longest_arc` are measured
+/// at once.
+constexpr double small_cell = 1e-4, longest_arc = 0.25;  // radians
 
 /// Adds up a cell over short arcs of its border.
 class Sums {
@@ -95,7 +96,7 @@ class Sums {
 
   /// Adds an arc of any length piece by piece.
   double add(const Arc& arc) {
-    const int pieces = static_cast<int>(std::ceil(arc.angle / longest));
+    const int pieces = static_cast<int>(std::ceil(arc.angle / longest_arc));
     Direction last = arc.begin;
     for (int k = 1; k <= pieces; ++k) {
       const Direction here = k == pieces ? arc.end : pointOn(arc, static_cast<double>(k) / pieces);
@@ -177,12 +178,12 @@ SphereMeasures measureCell(const SphereSites& sites, const SphereCells& cells, s
   for (auto e = begin; e < end; ++e) {
     const auto next = e + 1 < end ? e + 1 : begin;
     const Direction &from = cells.vertex[e], &to = cells.vertex[next];
-    const double angle = next != e && lengthOf(to - from) <= longest
+    const double angle = next != e && lengthOf(to - from) <= longest_arc
                              ? sums.add(from, to)
                              : sums.add(arcOf(sites.vectors(), cells, site, e));
     if (!lengths.empty()) lengths[e - begin] = angle;
   }
-  return sums.measures(reach < small);
+  return sums.measures(reach < small_cell);
 }
 
 SphereMeasures measureRings(std::span<const Direction> vertices, std::span<const std::size_t> ends,
@@ -197,13 +198,13 @@ SphereMeasures measureRings(std::span<const Direction> vertices, std::span<const
   for (const std::size_t end : ends) {
     for (auto e = begin; e < end; ++e) {
       const Direction &from = vertices[e], &to = vertices[e + 1 < end ? e + 1 : begin];
-      lengths[e] = lengthOf(to - from) <= longest
+      lengths[e] = lengthOf(to - from) <= longest_arc
                        ? sums.add(from, to)
                        : sums.add(Arc{from, to, normalized(cross(from, to)), angleBetween(from, to)});
     }
     begin = end;
   }
-  return sums.measures(reach < small);
+  return sums.measures(reach < small_cell);
 }
 
 }  // namespace vorpipe::core

@@ -313,8 +313,8 @@ std::optional<double> squareKilometersIn(const CoordinateSystem& system) {
 
 std::string geoJsonSystem(const CoordinateSystem& system) {
   if (system.organization != "EPSG" || compared(system, wgs84()) != SystemsAre::different) return {};
-  return fmt::format(
-      R"("crs":{{"type":"name","properties":{{"name":"urn:ogc:def:crs:EPSG::{}"}}}},)", system.code);
+  return fmt::format(R"("crs":{{"type":"name","properties":{{"name":"urn:ogc:def:crs:EPSG::{}"}}}},)",
+                     system.code);
 }
 
 Result<void> readSystemBeside(const std::string& path, CoordinateSystem& system) {
