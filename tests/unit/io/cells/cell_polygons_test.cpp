@@ -74,7 +74,7 @@ bool holds(const Outline& outline, Point site) {
 void expectOnEarth(const CellsOnEarth& made, bool hold_sites = true) {
   for (std::size_t site = 0; site < made.placed.sites.size(); ++site) {
     if (made.diagram.status[site] != Status::ok) continue;
-    const Outline outline = outlineOf(CellPolygons(made.diagram, site, made.placed.system));
+    const Outline outline = outlineOf(CellPolygons(made.placed.sites, made.diagram, site, made.placed.system));
     for (const Point point : outline.points) ASSERT_LE(std::abs(point.y), 90) << "site " << site;
     const auto valid = mended(outline, false);
     ASSERT_TRUE(valid) << "site " << site << ": " << valid.error().message;
@@ -140,7 +140,7 @@ TEST(CellPolygons, thatBendShareTheirPlaces) {
   all.ring_offsets = all.polygon_offsets = {0};
   double sum = 0, bent = 0;
   for (std::size_t site = 0; site < 5; ++site) {
-    const Outline outline = outlineOf(CellPolygons(made.diagram, site, made.placed.system));
+    const Outline outline = outlineOf(CellPolygons(made.placed.sites, made.diagram, site, made.placed.system));
     bent += static_cast<double>(outline.points.size());
     double twice = 0;
     for (std::size_t k = 0; k < outline.points.size(); ++k) {
