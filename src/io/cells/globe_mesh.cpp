@@ -16,6 +16,8 @@ namespace vorpipe {
 namespace {
 
 constexpr double piece_degrees = 5;
+/// Of edges: those of a cell that is one face are no longer, so that its neighbors have them whole.
+constexpr double longest_side = 2.01 * piece_degrees;
 
 double dot(const SpacePoint& a, const SpacePoint& b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
 
@@ -46,7 +48,7 @@ class GlobeFaces {
       endFace(site);
       return;
     }
-    const GlobeBorder border = globeBorder(sites_, diagram_, site, piece_degrees);
+    const GlobeBorder border = globeBorder(sites_, diagram_, site, longest_side);
     std::vector<std::uint32_t> outer;
     std::size_t edge = 0;
     for (std::size_t k = 0; k < border.points.size(); ++k) {

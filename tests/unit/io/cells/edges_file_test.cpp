@@ -17,7 +17,7 @@ std::string bytesOf(const std::string& name, const Diagram& cells) {
   const auto topology = topologyOf(cells);
   EXPECT_TRUE(topology) << topology.error().message;
   MemorySink sink(name);
-  const auto result = writeLines(sink, edgesOf(cells, *topology, {}), **edgesFormatOf(name));
+  const auto result = writeLines(sink, edgesOf(Sites{}, cells, *topology, {}), **edgesFormatOf(name));
   EXPECT_TRUE(result) << result.error().message;
   return sink.take();
 }
