@@ -74,6 +74,7 @@ def inputs():
     yield "lattice", np.stack([longitude.ravel(), latitude.ravel()], -1).astype(float)
     yield "meridians", np.array([[0, 0], [90, 0], [180, 0], [-90, 0]], float)
     yield "two", np.array([[0, 0], [120, 30]], float)
+    yield "poles", np.array([[0, 90], [0, -90]], float)
     yield "one", np.array([[10, 20]], float)
 
 
