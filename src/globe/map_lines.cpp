@@ -45,6 +45,10 @@ std::vector<double> crossings(const Arc& arc, const Direction& normal) {
   return found;
 }
 
+bool isAlongHorizon(const SphereMap& map, const Arc& arc) {
+  return std::hypot(dot(arc.begin, map.viewer()), dot(cross(arc.axis, arc.begin), map.viewer())) < same;
+}
+
 /// The stretches of an arc on the viewer's side of the horizon.
 std::vector<Stretch> facing(const SphereMap& map, const Arc& arc) {
   std::vector<double> ends{0};
@@ -179,6 +183,8 @@ std::vector<Point> seenRing(const SphereMap& map, const std::vector<Direction>& 
   Direction first{}, last{};
   for (std::size_t e = 0; e < cell.edges(); ++e) {
     const Arc arc = arcOf(vectors, diagram, site, e);
+    // The horizon closes the ring; of cells on either side one is seen.
+    if (isAlongHorizon(map, arc)) continue;
     for (const Stretch stretch : facing(map, arc)) {
       const Direction from = along(arc, stretch.from);
       if (ring.empty()) {
