@@ -8,8 +8,6 @@
 namespace vorpipe::core {
 namespace {
 
-constexpr double pi = std::numbers::pi;
-
 /// Radon's rule for triangles: the middle, and three points at each of two distances from it.
 struct RadonPoint {
   double weight, a, b, c;
@@ -137,6 +135,7 @@ SphereMoments momentsOf(const SphereSites& sites, const SphereCells& cells, std:
 }
 
 double leastEnergyOnSphere(std::size_t count) {
+  constexpr double pi = std::numbers::pi;
   // One site has the whole sphere, two have a half each: integrals of 2 - 2 x . p.
   if (count <= 2) return count == 1 ? 8 * pi : 4 * pi;
   const auto n = static_cast<double>(count);
