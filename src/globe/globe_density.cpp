@@ -22,7 +22,7 @@ struct Between {
 };
 
 /// `at` is in pixels from the side of the box.
-Between between(double at, int count, bool is_around) {
+Between betweenCenters(double at, int count, bool is_around) {
   const double from_center = at - 0.5, low = std::floor(from_center);
   const auto index = [&](double pixel) {
     if (is_around) return static_cast<std::size_t>(pixel < 0 ? pixel + count : pixel < count ? pixel : 0);
@@ -65,8 +65,9 @@ double GlobeDensity::at(const Direction& place) const {
       down >= 0 && degrees.y >= box_.ymin && (is_around_ || from_west <= box_.xmax - box_.xmin);
   if (!is_inside) return 0;
   const auto width = static_cast<std::size_t>(density_.width);
-  const auto [west, next, along] = between(from_west * columns_per_degree_, density_.width, is_around_);
-  const auto [upper, lower, part] = between(down * rows_per_degree_, density_.height, false);
+  const auto [west, next, along] =
+      betweenCenters(from_west * columns_per_degree_, density_.width, is_around_);
+  const auto [upper, lower, part] = betweenCenters(down * rows_per_degree_, density_.height, false);
   const auto row = [&](std::size_t r) {
     const double* const values = density_.values.data() + r * width;
     return values[west] + along * (values[next] - values[west]);

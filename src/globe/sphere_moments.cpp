@@ -135,6 +135,7 @@ SphereMoments momentsOf(const SphereSites& sites, const SphereCells& cells, std:
 }
 
 double leastEnergyOnSphere(std::size_t count) {
+  constexpr double pi = std::numbers::pi;
   // One site has the whole sphere, two have a half each: integrals of 2 - 2 x . p.
   if (count <= 2) return count == 1 ? 8 * std::numbers::pi : 4 * std::numbers::pi;
   const auto n = static_cast<double>(count);

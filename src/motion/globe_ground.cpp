@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "base/block_sums.h"
+#include "base/parallel.h"
 #include "base/progress_steps.h"
 #include "base/refusal.h"
 #include "base/try.h"
@@ -44,7 +45,7 @@ Direction directionAt(const Sites& sites, std::size_t i) {
 class GlobeGround final : public Ground {
  public:
   GlobeGround(const Session& session, const RelaxOptions& options)
-      : options_(options), threads_(session.threads()) {
+      : options_(options), threads_(threadCount(session.threads())) {
     if (!options_.density.values.empty()) density_ = std::make_unique<core::GlobeDensity>(options_.density);
     const DeviceInfo& device = session.device();
     report_.backend = device.backend;
@@ -124,33 +125,46 @@ class GlobeGround final : public Ground {
     std::uint64_t cells = 0, duplicates = 0, lost = 0;
   };
 
-  void measureSite(const core::SphereSites& sites, const core::SphereMesh& mesh,
-                   const core::SphereCells& cells, std::size_t i, MeasuredSites& measured, Part& part);
+  void findCells(const core::SphereSites& sites, const core::SphereMesh& mesh,
+                 const core::SphereCells& cells);
+  void measureSite(const core::SphereSites& sites, std::size_t i, MeasuredSites& measured, Part& part) const;
 
   const RelaxOptions& options_;
   int threads_;
   std::unique_ptr<core::GlobeDensity> density_;
-  double root_mass_ = 0;   ///< the integral of the density's root
+  double root_mass_ = 0;  ///< the integral of the density's root
+  std::vector<core::SphereMoments> cells_{};
   CellMoments moments_{};  ///< in steradians; `spread` is the energy about the site
   Report report_{};
 };
 
+void GlobeGround::findCells(const core::SphereSites& sites, const core::SphereMesh& mesh,
+                            const core::SphereCells& cells) {
+  constexpr std::size_t grain = 64;
+  const std::size_t count = sites.direction.size();
+  cells_.assign(count, {});
+  moments_.status.resize(count);
+  for (auto* numbers : {&moments_.area, &moments_.mass, &moments_.spread}) numbers->resize(count);
+  parallelEach(count, grain, threads_, [&](std::size_t i) {
+    const bool is_duplicate = mesh.owner[i] != i;
+    const bool has_cell =
+        !is_duplicate && (cells.neighbor.empty() || cells.offsets[i] < cells.offsets[i + 1]);
+    if (has_cell) cells_[i] = momentsOf(sites, cells, i, density_.get());
+    moments_.status[i] = is_duplicate ? Status::duplicate : has_cell ? Status::ok : Status::empty;
+    moments_.area[i] = cells_[i].area;
+    moments_.mass[i] = cells_[i].mass;
+    moments_.spread[i] = cells_[i].energy;
+  });
+}
+
 /// With v = p / cos(r) the energy is the integral of 2 - 2 x . v by mass, which is |x - p|^2 without a
 /// weight, and a cell is where it is less than with any other v. So its gradient is that of fixed cells.
-void GlobeGround::measureSite(const core::SphereSites& sites, const core::SphereMesh& mesh,
-                              const core::SphereCells& cells, std::size_t i, MeasuredSites& measured,
-                              Part& part) {
-  const bool is_duplicate = mesh.owner[i] != i;
-  const bool has_cell = !is_duplicate && (cells.neighbor.empty() || cells.offsets[i] < cells.offsets[i + 1]);
-  moments_.status[i] = is_duplicate ? Status::duplicate : has_cell ? Status::ok : Status::empty;
-  const core::SphereMoments of_cell =
-      has_cell ? momentsOf(sites, cells, i, density_.get()) : core::SphereMoments{};
+void GlobeGround::measureSite(const core::SphereSites& sites, std::size_t i, MeasuredSites& measured,
+                              Part& part) const {
+  const core::SphereMoments& of_cell = cells_[i];
   const double mass = of_cell.mass;
-  moments_.area[i] = of_cell.area;
-  moments_.mass[i] = mass;
-  moments_.spread[i] = of_cell.energy;
-  part.cells += has_cell ? 1 : 0;
-  part.duplicates += is_duplicate ? 1 : 0;
+  part.cells += moments_.status[i] == Status::ok ? 1 : 0;
+  part.duplicates += moments_.status[i] == Status::duplicate ? 1 : 0;
   if (!(mass > 0)) {
     ++part.lost;
     return;
@@ -187,13 +201,12 @@ Result<MeasuredSites> GlobeGround::measured(const Sites& sites) {
   const core::SphereSites placed = core::placedOn(sites, threads_);
   VORPIPE_LET(mesh, triangulateSphere(placed, threads_));
   VORPIPE_LET(cells, cellsOfSphere(placed, mesh, /*has_places=*/false, threads_));
-  moments_.status.resize(count);
-  for (auto* numbers : {&moments_.area, &moments_.mass, &moments_.spread}) numbers->resize(count);
+  findCells(placed, mesh, cells);
   MeasuredSites measures;
   for (auto* vectors : {&measures.gradient, &measures.inverse, &measures.way}) vectors->resize(3 * count);
   const auto parts = byBlocks<Part>(count, threads_, [&](std::size_t begin, std::size_t end) {
     Part part;
-    for (auto i = begin; i < end; ++i) measureSite(placed, mesh, cells, i, measures, part);
+    for (auto i = begin; i < end; ++i) measureSite(placed, i, measures, part);
     return part;
   });
   CarefulSum energy, scale;

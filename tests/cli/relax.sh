@@ -65,23 +65,23 @@ sides() { # sides FILE.csv: how many cells have 5, 6 and other numbers of neighb
     END { print five + 0, six + 0, others + 0 }' "$1"
 }
 succeeds "a geodesic grid" relax --backend cpu --globe --sites icosahedral:2562 --iterations 20 --cells out/grid.csv --stats out/grid.json \
-  -o out/grid-sites.csv --trace out/grid-trace.csv
+  -o out/grid-sites.csv -o out/grid-sites.npy --trace out/grid-trace.csv
 expect " of the hexagonal lattice's) after 20 diagrams (iterations)"
 [ "$(sides out/grid.csv)" = "12 2550 0" ] || fail "not 12 pentagons and hexagons: $(sides out/grid.csv)"
 [ "$(head -n 1 out/grid-sites.csv)" = lon,lat ] || fail "the sites are not in degrees"
 cp out/grid-sites.csv in/grid-sites.csv && cp out/grid.csv in/grid.csv
 succeeds "again on the globe" rerun --quiet out/grid.json
 cmp out/grid-sites.csv in/grid-sites.csv || fail "a run that is done again differs"
-succeeds "its cells" cells --backend cpu --globe --sites out/grid-sites.csv --check -o out/grid-cells.csv
+succeeds "its cells" cells --backend cpu --globe --sites out/grid-sites.npy --check -o out/grid-cells.csv
 [ "$(sides out/grid-cells.csv)" = "12 2550 0" ] || fail "the sites that were written have other cells"
 succeeds "Lloyd's steps on the globe" relax --backend cpu --globe --sites random:2562 --method lloyd --iterations 100 --cells out/even.csv \
   --trace out/even-trace.csv
 awk -F, 'NR > 2 && $2 >= before { exit 1 } { before = $2 }' out/even-trace.csv || fail "the energy rises on the globe"
 sides out/even.csv | awk '{ exit $2 < 0.75 * 2562 }' || fail "not 75 % hexagons"
-succeeds "sites from a density of the Earth" relax --backend cpu --globe --sites density:300 --density in/spheres.png --iterations 3 \
-  --threads 1 -o out/earth-1.npy
-succeeds "by two threads" relax --backend cpu --globe --sites density:300 --density in/spheres.png --iterations 3 --threads 2 \
-  -o out/earth-2.npy
+succeeds "sites from a density of the Earth" relax --backend cpu --globe --sites density:300 --density in/spheres.png \
+  --density-box 0,-90,360,90 --iterations 3 --threads 1 -o out/earth-1.npy
+succeeds "by two threads" relax --backend cpu --globe --sites density:300 --density in/spheres.png \
+  --density-box 0,-90,360,90 --iterations 3 --threads 2 -o out/earth-2.npy
 cmp out/earth-1.npy out/earth-2.npy || fail "threads change places on the globe"
 
 # -- Refusals -------------------------------------------------------------------------------------------

@@ -32,7 +32,8 @@ void planRelaxation(const RelaxCommand& command, const SitesRun& run, MemoryPlan
   planSession(plan, work);
   const auto since = plan.next();
   const bool newton = command.options.method == RelaxMethod::lbfgs;
-  plan.take("sites that move", (others + (newton ? steps_of_newton : 0)) * 2 * number * work.sites);
+  const std::uint64_t axes = command.input.globe ? 3 : 2;
+  plan.take("sites that move", (others + (newton ? steps_of_newton : 0)) * axes * number * work.sites);
   plan.drop(planCells(plan, work, Detail::polygons));
   plan.dropSince(since);
   run.planFiles(plan, work);

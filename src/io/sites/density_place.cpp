@@ -45,9 +45,10 @@ Result<void> checkCovered(const Density& density, const std::string& about, Plac
   constexpr double percent = 100, rounding = 1e-9;
   const Box& box = *density.box;
   constexpr double turn = 360;
-  // On the globe longitudes are of any turn.
+  // On the globe longitudes are of any turn; a box that is not on it is refused later.
   const Box domain =
       placed.globe ? Box{box.xmin, placed.domain.ymin, box.xmin + turn, placed.domain.ymax} : placed.domain;
+  if (placed.globe && (box.xmax > domain.xmax || box.ymin < domain.ymin || box.ymax > domain.ymax)) return {};
   const double covered = coveredPart(domain, box);
   if (!(covered < 1 - rounding)) return {};
   if (covered == 0) {
