@@ -21,8 +21,9 @@ namespace {
 /// One row of pixels is a row of the array.
 template <class Number>
 vorpipe_array rows(const std::vector<std::uint32_t>& pixels, int width) {
-  constexpr auto numbers = static_cast<std::int32_t>(sizeof(std::uint32_t) / sizeof(Number));
-  constexpr vorpipe_type type = sizeof(Number) == 1 ? VORPIPE_UINT8 : VORPIPE_UINT32;
+  constexpr bool by_channel = sizeof(Number) == 1;
+  constexpr std::int32_t numbers = by_channel ? 4 : 1;
+  constexpr vorpipe_type type = by_channel ? VORPIPE_UINT8 : VORPIPE_UINT32;
   if (pixels.empty()) return {nullptr, 0, type, numbers * width};
   return {pixels.data(), pixels.size() / static_cast<std::size_t>(width), type, numbers * width};
 }
