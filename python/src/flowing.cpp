@@ -1,5 +1,6 @@
 #include "flowing.h"
 
+#include <fmt/core.h>
 #include <pybind11/numpy.h>
 #include <pybind11/stl.h>
 
@@ -47,9 +48,16 @@ FluidSetup setupOf(const Input& input, const std::optional<Numbers>& velocities,
   return setup;
 }
 
-/// A case by its name, or a file.
-FluidSetup namedSetup(const std::string& name, std::uint64_t parcels) {
-  if (const auto named = fluidCaseOf(name)) return fluidCase(*named, parcels);
+/// A case by its name, in an outline if there is one; or a file.
+FluidSetup namedSetup(const std::string& name, std::uint64_t parcels,
+                      const std::optional<OutlineArrays>& outline, bool repair) {
+  const auto named = fluidCaseOf(name);
+  if (named && outline) {
+    return valueOf(mended(outlineOf(*outline), repair).and_then([&](const MendedOutline& walls) {
+      return fluidCase(*named, parcels, walls.outline);
+    }));
+  }
+  if (named) return fluidCase(*named, parcels);
   if (lowerExtension(name) == ".npz") return valueOf(readFluid(name));
   std::string known;
   for (const std::string& one : fluidCaseNames()) known += one + ", ";
@@ -116,14 +124,19 @@ void defineFluidStep(py::module_& module) {
       .def_readonly("linear_iterations", &FluidStep::linear_iterations)
       .def_readonly("halvings", &FluidStep::halvings)
       .def_readonly("velocity_error", &FluidStep::velocity_error)
-      .def_readonly("seconds", &FluidStep::seconds);
+      .def_readonly("seconds", &FluidStep::seconds)
+      .def("__repr__", [](const FluidStep& step) {
+        return fmt::format("<vorpipe.FluidStep {}: time {:.6g}, energy {:.6g}, areas within {:.1e}>",
+                           step.step, step.time, step.energy(), step.worst);
+      });
 }
 
 void defineSetup(py::module_& module) {
   py::class_<FluidSetup>(module, "FluidSetup", "What a fluid begins with.")
       .def_static("of", &setupOf, py::arg("input"), py::arg("velocities"), py::arg("volumes"),
                   py::arg("densities"))
-      .def_static("named", &namedSetup, py::arg("name"), py::arg("parcels"))
+      .def_static("named", &namedSetup, py::arg("name"), py::arg("parcels"), py::arg("outline"),
+                  py::arg("repair"))
       .def("choose", &choose, py::arg("options"), py::arg("diagrams"), py::arg("search"),
            py::arg("neighbors"));
   module.attr("FLUID") = usualOptions<FluidOptions>(fluid_rows);

@@ -36,20 +36,6 @@ void refuseNotFinite(const Sites& sites) {
   }
 }
 
-Outline outlineOf(const OutlineArrays& arrays) {
-  const auto& [points, rings, polygons, name, system] = arrays;
-  const auto elements = points.unchecked<2>();
-  Outline outline;
-  outline.points.resize(static_cast<std::size_t>(elements.shape(0)));
-  for (std::size_t i = 0; i < outline.points.size(); ++i) {
-    const auto row = static_cast<py::ssize_t>(i);
-    outline.points[i] = {elements(row, 0), elements(row, 1)};
-  }
-  outline.ring_offsets = vectorOf(rings);
-  outline.polygon_offsets = vectorOf(polygons);
-  return outline;
-}
-
 /// The points of a table, or of an array.
 void takeSites(const GivenPoints& points, const std::optional<SystemArguments>& system,
                const DomainArguments& domain, Input& input) {
@@ -112,6 +98,7 @@ DomainWords wordsOf(const GivenPoints& points) {
   words.project_amid = "project=\"auto\"";
   words.project_around = "project=(lon, lat)";
   words.density_box = "density_box=(xmin, ymin, xmax, ymax)";
+  words.transform = "to_crs(\"{}\")";
   return words;
 }
 
@@ -144,6 +131,20 @@ py::array givenPoints(const Input& input) {
 }
 
 }  // namespace
+
+Outline outlineOf(const OutlineArrays& arrays) {
+  const auto& [points, rings, polygons, name, system] = arrays;
+  const auto elements = points.unchecked<2>();
+  Outline outline;
+  outline.points.resize(static_cast<std::size_t>(elements.shape(0)));
+  for (std::size_t i = 0; i < outline.points.size(); ++i) {
+    const auto row = static_cast<py::ssize_t>(i);
+    outline.points[i] = {elements(row, 0), elements(row, 1)};
+  }
+  outline.ring_offsets = vectorOf(rings);
+  outline.polygon_offsets = vectorOf(polygons);
+  return outline;
+}
 
 Box boxFrom(const std::array<double, 4>& box) { return {box[0], box[1], box[2], box[3]}; }
 

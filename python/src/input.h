@@ -59,6 +59,8 @@ std::shared_ptr<Input> inputOf(const GivenPoints& points, const std::optional<Nu
                                const DomainArguments& domain, const std::string& periodic,
                                const std::optional<SystemArguments>& system);
 
+Outline outlineOf(const OutlineArrays& arrays);
+
 /// From xmin, ymin, xmax, ymax.
 Box boxFrom(const std::array<double, 4>& box);
 

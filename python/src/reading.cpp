@@ -179,6 +179,11 @@ void defineReading(py::module_& module) {
       .def_property_readonly("edge_of", shown<std::int32_t>(&Topology::edge_of))
       .def_property_readonly("edge_vertices", shown<std::int32_t>(&Topology::edge_vertices))
       .def_property_readonly("edge_cells", shown<std::int64_t>(&Topology::edge_cells))
+      .def("__repr__",
+           [](const Topology& topology) {
+             return fmt::format("<vorpipe.Topology: {} vertices, {} edges>", topology.vertices.size(),
+                                topology.edge_cells.size());
+           })
       .def(pickles<Topology>());
   py::class_<PlaceFinder, std::shared_ptr<PlaceFinder>>(module, "Locator",
                                                         "Finds the points whose cells hold places.")

@@ -341,7 +341,10 @@ def _polygons(value: Any) -> List[Any]:
                             'list of such polygons')
 
 
-def _polygons_of_geojson(value: Mapping[str, Any]) -> List[Any]:
+def _polygons_of_geojson(value: Optional[Mapping[str, Any]]) -> List[Any]:
+    # A feature may have no geometry.
+    if value is None:
+        return []
     kind = value.get('type')
     if kind == 'Polygon':
         return [value['coordinates']]

@@ -36,7 +36,8 @@ class Fluid:
         volumes: (N,), the areas of the cells; None for equal shares of the domain. A free surface asks for them.
         densities: (N,), mass per volume; None: 1.
         weights: (N,), where to begin to look for those that give cells their areas.
-        domain, periodic, repair: as in `cells`; an outline is walls of any shape, with holes as obstacles.
+        domain, periodic, repair: as in `cells`; an outline is walls of any shape, with holes as obstacles. A case takes
+            one, in which it begins; nothing else of these.
         surface: "free" where air is around the cells.
         particles: about how many cells a case has; None: 2048.
         gravity: (x, y); None: none.
@@ -69,7 +70,7 @@ class Fluid:
         arrays = {'velocities': velocities, 'volumes': volumes, 'densities': densities, 'weights': weights,
                   'domain': domain, 'periodic': periodic, 'surface': surface}
         if isinstance(begin, (str, os.PathLike)):
-            setup = _named(begin, particles, arrays)
+            setup = _named(begin, particles, arrays, repair)
             count = 2048 if particles is None else int(particles)
         else:
             if particles is not None:
@@ -252,15 +253,17 @@ class Fluid:
         self._fluid.save(_scalars.path_of(path))
 
 
-def _named(begin: Named, particles: Optional[int], arrays: Any) -> _vorpipe.FluidSetup:
-    """Of a case or a file, which have all arrays themselves."""
+def _named(begin: Named, particles: Optional[int], arrays: Any, repair: bool) -> _vorpipe.FluidSetup:
+    """Of a case or a file, which have all arrays themselves; a case may have another outline."""
     path = _scalars.path_of(begin, 'begin')
     name = os.fsdecode(path)
+    is_case = name in _vorpipe.fluid_cases()
+    domain = arrays.pop('domain') if is_case else None
     for argument, value in arrays.items():
         if value is not None:
             raise _scalars.refuse(argument, f'{name} has its own')
-    if particles is not None and name not in _vorpipe.fluid_cases():
+    if particles is not None and not is_case:
         raise _scalars.refuse('particles', f'is for cases; {name} has as many as it has')
-    count = _scalars.whole_of('particles', 2048 if particles is None else particles, 4,
-                              what='is no number of at least 4')
-    return _vorpipe.FluidSetup.named(path, count)
+    count = 2048 if particles is None else _scalars.whole_of('particles', particles, 4, what='is no number of at least 4')
+    outline = None if domain is None else _arguments.outline_of(domain)
+    return _vorpipe.FluidSetup.named(path, count, outline, _scalars.flag_of('repair', repair))

@@ -198,6 +198,7 @@ def voronoi_polygons(points: Any, domain: Any = None, *, extend_to: Any = None, 
 
     As the method of GeoPandas of this name, but each row keeps its cell, its label, its other columns and the
     coordinate reference system. A point without a cell has an empty polygon; of a row with several points each has one.
+    A row without a geometry stays without one, with a warning.
 
     Args:
         points: a GeoDataFrame or a GeoSeries.
@@ -211,18 +212,21 @@ def voronoi_polygons(points: Any, domain: Any = None, *, extend_to: Any = None, 
         options: as in `cells`. Of points in degrees project="auto" makes cells in an equal-area plane; without it
             degrees are taken as a plane, with a warning.
     """
-    from ._shapes import extended_box, with_cells, with_pieces
+    from ._shapes import each_row, extended_box, with_cells, with_pieces
     if not (hasattr(points, 'geometry') and hasattr(points, 'index') and hasattr(points, 'crs')):
         raise _scalars.refuse('points', f'a {type(points).__name__} is neither a GeoDataFrame nor a GeoSeries')
     if by is not None:
         if extend_to is not None or only_edges:
             raise _scalars.refuse('by', 'is for polygons in features of a domain')
         return with_pieces(points, domain, _scalars.text_of('by', by), options)
-    if extend_to is not None:
-        if domain is not None:
-            raise _scalars.refuse('extend_to', 'is for a box around the points, and a domain is given')
-        domain = extended_box(given(points), extend_to)
-    return with_cells(points, cells(points, domain=domain, detail='polygons', **options), only_edges)
+    if extend_to is not None and domain is not None:
+        raise _scalars.refuse('extend_to', 'is for a box around the points, and a domain is given')
+
+    def made(points: Any, options: Any) -> Any:
+        box = domain if extend_to is None else extended_box(given(points), extend_to)
+        return with_cells(points, cells(points, domain=box, detail='polygons', **options), only_edges)
+
+    return each_row(points, made, options, only_edges)
 
 
 def drawn_points(density: Any, n: int, domain: Optional[Sequence[float]] = None, seed: int = 1,

@@ -58,10 +58,12 @@ def natural_neighbors(diagram: Diagram, places: Any, threads: Optional[int]) -> 
 
 def interpolated(diagram: Diagram, values: Any, places: Any, threads: Optional[int]) -> Floats:
     if isinstance(values, str):
-        if values not in diagram.attributes:
-            raise refuse('values', f'there is no attribute {values!r}; there are '
+        # Pictures take "@name".
+        name = values if values in diagram.attributes else values.removeprefix('@')
+        if name not in diagram.attributes:
+            raise refuse('values', f'there is no attribute {name!r}; there are '
                                    f'{", ".join(diagram.attributes) or "none"}')
-        values = diagram.attributes[values]
+        values = diagram.attributes[name]
     given = _arguments.numbers('values', values)
     if not given.ndim or len(given) != len(diagram):
         raise refuse('values', f'shape {given.shape}, must be ({len(diagram)},) or ({len(diagram)}, K): for each point')

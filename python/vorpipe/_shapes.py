@@ -3,14 +3,14 @@ from __future__ import annotations
 
 import os
 import warnings
-from typing import TYPE_CHECKING, Any, Dict, List
+from typing import TYPE_CHECKING, Any, Callable, Dict, List
 
 import numpy as np
 
 from . import _vorpipe
 from ._points import Given, given
 from ._scalars import flag_of, refuse
-from ._warnings import InputWarning
+from ._warnings import InputWarning, warn
 
 if TYPE_CHECKING:
     import geopandas
@@ -154,3 +154,31 @@ def with_pieces(points: Any, domain: Any, by: str, options: Dict[str, Any]) -> g
             rows.insert(1, 'share', diagram.areas / diagram.area_sum())
             pieces.append(rows[diagram.areas > 0])
     return concat(pieces)
+
+
+def each_row(points: Any, made: Callable[[Any, Dict[str, Any]], Any], options: Dict[str, Any], only_edges: bool) -> Any:
+    """What is made of the rows that have a geometry, amid the others, which stay without one."""
+    from geopandas import GeoSeries
+    from pandas import concat
+
+    lacks = np.asarray(points.geometry.isna() | points.geometry.is_empty, dtype=bool)
+    if not lacks.any() and len(points):
+        return made(points, options)
+    warn([f'points: {lacks.sum()} of {len(points)} rows have no geometry, and get none'] if len(points) else [])
+    bare = points[lacks].copy()
+    if hasattr(bare, 'columns'):
+        bare[bare.geometry.name] = GeoSeries([None] * len(bare), index=bare.index, crs=points.crs)
+    else:
+        bare[:] = None
+    if lacks.all():
+        return GeoSeries([], crs=points.crs) if flag_of('only_edges', only_edges) else bare
+    if options.get('weights') is not None:
+        options = {**options, 'weights': np.asarray(options['weights'])[~lacks]}
+    kept = points[~lacks]
+    found = made(kept, options)
+    if only_edges:
+        return found
+    rows = given(kept).rows
+    own = np.flatnonzero(~lacks) if rows is None else np.flatnonzero(~lacks)[rows]
+    order = np.argsort(np.concatenate((own, np.flatnonzero(lacks))), kind='stable')
+    return concat((found, bare)).iloc[order]

@@ -194,16 +194,18 @@ def _places_of(geometries: Any) -> Tuple[_arguments.Floats, List[int]]:
             return places, [1] * len(places)
     found_places: List[Tuple[float, float]] = []
     counts: List[int] = []
+    labels = getattr(geometries, 'index', None)
     for row, geometry in enumerate(geometries):
-        found = [] if geometry is None else _points_in(geometry, row)
+        label = labels[row] if hasattr(labels, 'take') else row
+        found = [] if _attributes.is_missing(geometry) else _points_in(geometry, label)
         if not found:
-            raise refuse('points', f'geometry {row} has no place; leave such rows out')
+            raise refuse('points', f'geometry {label!r} has no place; leave such rows out')
         found_places += found
         counts.append(len(found))
     return np.array(found_places, dtype=np.float64).reshape(-1, 2), counts
 
 
-def _points_in(geometry: Any, row: int) -> List[Tuple[float, float]]:
+def _points_in(geometry: Any, label: Any) -> List[Tuple[float, float]]:
     """Points and MultiPoints; x and y of each."""
     if getattr(geometry, 'is_empty', False):
         return []
@@ -212,10 +214,10 @@ def _points_in(geometry: Any, row: int) -> List[Tuple[float, float]]:
     shape = geometry if isinstance(geometry, Mapping) else geometry.__geo_interface__
     kind = shape['type']
     if kind == 'Feature':
-        return _points_in(shape['geometry'], row)
+        return _points_in(shape['geometry'], label)
     if kind == 'GeometryCollection':
-        return [point for part in shape['geometries'] for point in _points_in(part, row)]
+        return [point for part in shape['geometries'] for point in _points_in(part, label)]
     if kind not in ('Point', 'MultiPoint'):
-        raise refuse('points', f'geometry {row} is a {kind}; its centroid is a point')
+        raise refuse('points', f'geometry {label!r} is a {kind}; its centroid is a point')
     places = shape['coordinates'] if kind == 'MultiPoint' else [shape['coordinates']]
     return [(place[0], place[1]) for place in places if len(place) > 1]

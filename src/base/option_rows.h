@@ -60,6 +60,7 @@ struct ColorRow {
   const char* name;
   std::optional<Color> Struct::*member;
   std::array<const FlagRow<Struct>*, 2> of;
+  bool opaque;  ///< takes no other colors
   const char* help;
   const char* value = "C";
 };
@@ -109,11 +110,13 @@ inline constexpr ColorRow<RenderOptions> edge_color_row{
     "edge_color",
     &RenderOptions::edge_color,
     {&edges_row, nullptr},
+    true,
     "the color of the edges: #rgb, #rrggbb or a name of CSS, as white [#181818]"},
     background_row{
         "background",
         &RenderOptions::background,
         {},
+        false,
         "the color of what is no cell, and of cells with --no-fill: #rgb, #rrggbb, #rrggbbaa with an "
         "opacity, or a name of CSS [transparent, and white cells]"};
 

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <charconv>
+#include <cstddef>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -30,6 +31,14 @@ std::optional<Number> wholeNumber(std::string_view text) {
   const char* const last = text.data() + text.size();
   const auto [stop, error] = std::from_chars(text.data(), last, value);
   return stop == last && error == std::errc() ? std::optional(value) : std::nullopt;
+}
+
+/// Whether `wanted` means the thing with that index and name in a list: digits are an index, and nothing
+/// else; another text is a part of the name.
+inline bool isIndexOrPartOf(std::string_view wanted, std::size_t index, std::string_view name) {
+  const bool digits =
+      !wanted.empty() && std::ranges::all_of(wanted, [](char c) { return c >= '0' && c <= '9'; });
+  return digits ? wholeNumber<std::size_t>(wanted) == index : isPartOf(wanted, name);
 }
 
 }  // namespace vorpipe

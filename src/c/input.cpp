@@ -106,6 +106,12 @@ void takeDensity(vorpipe_input& input, DensityFile density, std::string name) {
   input.density_looked_at = nullptr;
 }
 
+/// Error (input): numbers so near to each other would overlap.
+Result<void> checkStride(std::size_t stride, std::size_t size, std::string_view name) {
+  if (stride == 0 || stride >= size) return {};
+  return inputError(fmt::format("{}: {} bytes, where a number has {}", name, stride, size));
+}
+
 /// `Given` is vorpipe_sites or vorpipe_sites_float.
 template <class Given>
 Result<Sites> sitesOf(const Given& given) {
@@ -114,6 +120,10 @@ Result<Sites> sitesOf(const Given& given) {
   }
   if (given.count > 0 && given.x == nullptr) return inputError("x: is NULL");
   if (given.count > 0 && given.y == nullptr) return inputError("y: is NULL");
+  VORPIPE_TRY(checkStride(given.position_stride, sizeof(*given.x), "position_stride"));
+  if (given.weight != nullptr) {
+    VORPIPE_TRY(checkStride(given.weight_stride, sizeof(*given.weight), "weight_stride"));
+  }
   Sites sites;
   sites.x = copied(given.x, given.count, given.position_stride);
   sites.y = copied(given.y, given.count, given.position_stride);
@@ -136,8 +146,9 @@ vorpipe_code createInput(const Given* sites, std::string_view name, vorpipe_inpu
   });
 }
 
-/// Replaces the sites. Errors (input): weights or attributes that stay are of another number.
+/// Replaces the sites. Errors (input): there are none; weights or attributes that stay are of another number.
 Result<void> replaceSites(vorpipe_input& input, Sites sites) {
+  if (sites.size() == 0) return inputError("sites: there are none");
   const std::vector<double>& weight = input.sites->weight;
   if (sites.weight.empty() && !weight.empty() && weight.size() != sites.size()) {
     return inputError(fmt::format("weights: {} for {} sites", weight.size(), sites.size()));

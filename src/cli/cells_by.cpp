@@ -112,6 +112,7 @@ Result<ExitCode> writePiecesOf(CommandRun& run, const InputOptions& from, Input&
   if (!validationIsSilent(report)) return exit_device;
   if (!passed) return exit_different;
   VORPIPE_TRY(writePieceFiles(run, input, targets, *pieces));
+  if (const auto note = noteOnGeoJson(targets, input.system); !note.empty() && !talk.quiet) printNote(note);
   run.printSummary(fmt::format("{}{}{} pieces of {} cells in {} features", fmt::join(run.paths, ", "),
                                run.paths.empty() ? "" : ": ", pieces->size(), report.ok, input.parts.size()),
                    report);

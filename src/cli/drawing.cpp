@@ -15,6 +15,7 @@
 #include "io/cells/forecast_files.h"
 #include "io/sites/attribute_values.h"
 #include "vorpipe/free_surface.h"
+#include "vorpipe/label_room.h"
 #include "vorpipe/shapes.h"
 
 namespace vorpipe::cli {
@@ -32,9 +33,8 @@ Result<std::vector<Color>> readColors(const std::string& path) {
     const std::string_view text = trimmed(*line);
     if (text.empty()) continue;
     const std::size_t column = static_cast<std::size_t>(text.data() - line->data()) + 1;
-    const auto color = readColor(text);
-    if (!color) return lines.errorAt(column, color.error().message);
-    if (!color->isOpaque()) return lines.errorAt(column, fmt::format("{} is not opaque", inQuotes(text)));
+    const auto color = parseOpaqueColor(text);
+    if (!color) return lines.errorAt(column, color.error());
     if (colors.size() == most_colors)
       return lines.errorAt(column, fmt::format("more than {} colors", most_colors));
     colors.push_back(*color);
@@ -256,6 +256,11 @@ Result<Drawing> draw(Surface surface, Session& session, const Sites& sites, cons
   if (needs.cells) {
     VORPIPE_VAR(cells, cellsWith(surface, session, sites, shapesOptions(options)));
     drawing.cells = std::move(cells);
+  }
+  if (!needs.pixels && hasNames(options)) {
+    VORPIPE_LET(labels, siteLabels(sites, *drawing.cells, options, session.threads()));
+    std::string note = noteOnRoom(*drawing.cells, options, labels);
+    if (!note.empty()) drawing.cells->report.notes.push_back(std::move(note));
   }
   if (!needs.pixels && !is_free) {
     VORPIPE_VAR(colors, siteColors(sites, *drawing.cells, options));

@@ -17,6 +17,7 @@
 #include "io/base/quoted.h"
 #include "io/cells/fluid_state.h"
 #include "view/flowing.h"
+#include "view/recorder.h"
 #include "vorpipe/free_surface.h"
 
 namespace vorpipe::cli {
@@ -185,7 +186,7 @@ Result<FluidRecord> FluidRecord::open(const FluidTargets& targets, const Picture
 Result<void> FluidRecord::openFrames(const FluidState* resumed) {
   const std::string& path = targets_->frames;
   if (path.empty()) return {};
-  const bool is_continued = resumed != nullptr && lowerExtension(path) != ".mp4";
+  const bool is_continued = resumed != nullptr && lowerExtension(path) != view::film_extension;
   VORPIPE_LET(next, is_continued ? continueFrames(path, resumed->step, targets_->every) : NextFrame{});
   VORPIPE_VAR(recorder, is_continued ? view::openFrames(path, next.number) : view::openRecorder(path));
   recorder_ = std::move(recorder);
@@ -248,7 +249,7 @@ Result<void> checkApart(const FluidTargets& targets, std::span<const OutputFile>
     ends.emplace_back(file->front().target());
     return {};
   };
-  const bool is_film = lowerExtension(targets.frames) == ".mp4";
+  const bool is_film = lowerExtension(targets.frames) == view::film_extension;
   if (!targets.checkpoint.empty()) {
     VORPIPE_TRY(checkFile("--checkpoint", targets.checkpoint));
   }

@@ -81,11 +81,16 @@ Result<void> takeParts(const InputOptions& options, const OutlineFile& file, Dom
     const auto name = found->names.at(k);
     settings.parts.push_back({name ? inQuotes(*name) : "without a name", std::move(found->outlines[k])});
   }
+  if (found->empty > 0) {
+    input.notes.push_back(fmt::format("--by: {} of the features in {} {} no polygon, and {} left out",
+                                      found->empty, options.domain.file, found->empty == 1 ? "has" : "have",
+                                      found->empty == 1 ? "is" : "are"));
+  }
   if (found->same > 0) {
     input.notes.push_back(
         fmt::format("--by: {} of the features in {} have the {} of one before them, and are "
                     "one with it",
-                    found->same, options.domain.file, inQuotes(options.by)));
+                    found->same, options.domain.file, inQuotes(found->names.name())));
   }
   input.part_names = std::move(found->names);
   return {};

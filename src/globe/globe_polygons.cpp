@@ -21,9 +21,9 @@ constexpr double some_part = 0.375;  // of an edge
 /// Calls add(direction) for the ends of an arc's pieces, each of `longest` degrees or less. Both cells of an
 /// edge get the same points.
 template <class Add>
-void forEachPiece(const Arc& arc, double longest, const Add& add) {
+void forEachPiece(const GreatArc& arc, double longest, const Add& add) {
   const bool forward = arc.begin == arc.end ? arc.axis < -arc.axis : arc.begin < arc.end;
-  const Arc back{arc.end, arc.begin, -arc.axis, arc.angle};
+  const GreatArc back{arc.end, arc.begin, -arc.axis, arc.angle};
   const auto pieces = std::max(1, static_cast<int>(std::ceil(arc.angle / (longest * degree))));
   for (int k = 1; k < pieces; ++k) {
     const double part = static_cast<double>(forward ? k : pieces - k) / pieces;
@@ -33,7 +33,7 @@ void forEachPiece(const Arc& arc, double longest, const Add& add) {
 }
 
 /// A side of a cell, from a vertex, by its index among all, to the next of its ring.
-Arc sideOf(const Sites& sites, const Diagram& diagram, const Cell& cell, std::uint64_t entry) {
+GreatArc sideOf(const Sites& sites, const Diagram& diagram, const Cell& cell, std::uint64_t entry) {
   const CellRings rings = cell.rings();
   std::size_t ring = 0;
   while (entry >= rings.end(ring)) ++ring;
@@ -52,7 +52,7 @@ Arc sideOf(const Sites& sites, const Diagram& diagram, const Cell& cell, std::ui
 class UnrolledBorder {
  public:
   /// Adds the arc's points after its first.
-  void add(const Arc& arc) {
+  void add(const GreatArc& arc) {
     if (points_.empty()) points_.push_back(placeOf(arc.begin));
     Direction last = arc.begin;
     forEachPiece(arc, longest, [&](const Direction& at) {
@@ -167,9 +167,10 @@ std::vector<Point> unrolled(std::span<const Point> vertices, const ArcAt& arcAt)
   std::size_t first = 0;
   while (first + 1 < vertices.size() && isAtPole(first)) ++first;
   UnrolledBorder border;
-  const Arc start = arcAt(first);
+  const GreatArc start = arcAt(first);
   const Direction between = pointOn(start, some_part);
-  border.add(isAtPole(first) ? Arc{between, start.end, start.axis, (1 - some_part) * start.angle} : start);
+  border.add(isAtPole(first) ? GreatArc{between, start.end, start.axis, (1 - some_part) * start.angle}
+                             : start);
   for (std::size_t k = 1; k < vertices.size(); ++k) border.add(arcAt((first + k) % vertices.size()));
   if (isAtPole(first)) border.add({start.begin, between, start.axis, some_part * start.angle});
   return border.ring();
@@ -364,7 +365,7 @@ GlobeBorder globeBorder(const Sites& sites, const Diagram& diagram, std::size_t 
   const Cell cell = diagram.cell(site);
   GlobeBorder border;
   const auto add = [&](const Direction& at) { border.points.push_back({at.x, at.y, at.z}); };
-  const auto addArc = [&](const Arc& arc) {
+  const auto addArc = [&](const GreatArc& arc) {
     border.begins.push_back(border.points.size());
     add(arc.begin);
     forEachPiece(arc, longest, add);

@@ -146,7 +146,7 @@ MapLines dualOnMap(const Sites& sites, const Diagram& diagram, const RenderOptio
                     to = directionOf({sites.x[other], sites.y[other]});
     const Direction turn = cross(from, to);
     const Direction axis = lengthOf(turn) > 0 ? normalized(turn) : perpendicular(from);
-    return Arc{from, to, axis, angleBetween(from, to)};
+    return GreatArc{from, to, axis, angleBetween(from, to)};
   };
   return linesBetween(diagram, threads, arcBetweenSites, map);
 }

@@ -28,14 +28,14 @@ struct Stretch {
 };
 
 /// The direction of an arc at an angle from its beginning.
-Direction along(const Arc& arc, double angle) {
+Direction along(const GreatArc& arc, double angle) {
   if (angle == 0) return arc.begin;
   if (angle == arc.angle) return arc.end;
   return std::cos(angle) * arc.begin + std::sin(angle) * cross(arc.axis, arc.begin);
 }
 
 /// The angles of an arc at which it meets the plane at right angles to a direction, up to a whole turn.
-std::vector<double> crossings(const Arc& arc, const Direction& normal) {
+std::vector<double> crossings(const GreatArc& arc, const Direction& normal) {
   const double a = dot(arc.begin, normal), b = dot(cross(arc.axis, arc.begin), normal);
   std::vector<double> found;
   if (std::hypot(a, b) < same) return found;
@@ -45,12 +45,12 @@ std::vector<double> crossings(const Arc& arc, const Direction& normal) {
   return found;
 }
 
-bool isAlongHorizon(const SphereMap& map, const Arc& arc) {
+bool isAlongHorizon(const SphereMap& map, const GreatArc& arc) {
   return std::hypot(dot(arc.begin, map.viewer()), dot(cross(arc.axis, arc.begin), map.viewer())) < same;
 }
 
 /// The stretches of an arc on the viewer's side of the horizon.
-std::vector<Stretch> facing(const SphereMap& map, const Arc& arc) {
+std::vector<Stretch> facing(const SphereMap& map, const GreatArc& arc) {
   std::vector<double> ends{0};
   for (const double angle : crossings(arc, map.viewer())) ends.push_back(angle);
   ends.push_back(arc.angle);
@@ -63,7 +63,7 @@ std::vector<Stretch> facing(const SphereMap& map, const Arc& arc) {
 }
 
 /// The stretches of an arc between the antimeridian and the poles.
-std::vector<Stretch> withoutTurns(const Arc& arc) {
+std::vector<Stretch> withoutTurns(const GreatArc& arc) {
   constexpr Direction east{0, 1, 0}, front{1, 0, 0};
   std::vector<double> cuts{0};
   const auto of_meridian = crossings(arc, east);
@@ -92,7 +92,7 @@ Point placeAtEnd(const Direction& end, const Direction& inside) {
 /// Draws a stretch of an arc as a line whose pieces are as good as straight.
 class SmoothLine {
  public:
-  SmoothLine(const SphereMap& map, const Arc& arc, Stretch stretch)
+  SmoothLine(const SphereMap& map, const GreatArc& arc, Stretch stretch)
       : map_(map), arc_(arc), most_off_(part_of_box * (map.box().xmax - map.box().xmin)) {
     const Direction inside = along(arc, (stretch.from + stretch.to) / 2);
     const Point first = end(along(arc, stretch.from), inside), last = end(along(arc, stretch.to), inside);
@@ -133,13 +133,13 @@ class SmoothLine {
   }
 
   const SphereMap& map_;
-  const Arc& arc_;
+  const GreatArc& arc_;
   double most_off_;
   std::vector<Point> points_;
 };
 
 /// A line along the antimeridian, as a flat map has it on both sides.
-void addBothSides(const SphereMap& map, const Arc& arc, Stretch stretch,
+void addBothSides(const SphereMap& map, const GreatArc& arc, Stretch stretch,
                   std::vector<std::vector<Point>>& lines) {
   const auto steps =
       std::max(1, static_cast<int>(std::ceil((stretch.to - stretch.from) / (border_step * degree))));
@@ -182,7 +182,7 @@ std::vector<Point> seenRing(const SphereMap& map, const std::vector<Direction>& 
   std::vector<Point> ring;
   Direction first{}, last{};
   for (std::size_t e = 0; e < cell.edges(); ++e) {
-    const Arc arc = arcOf(vectors, diagram, site, e);
+    const GreatArc arc = arcOf(vectors, diagram, site, e);
     // The horizon closes the ring; of cells on either side one is seen.
     if (isAlongHorizon(map, arc)) continue;
     for (const Stretch stretch : facing(map, arc)) {
@@ -228,7 +228,8 @@ std::vector<Direction> vectorsOf(const Sites& sites, int threads) {
   return vectors;
 }
 
-Arc arcOf(const std::vector<Direction>& vectors, const Diagram& diagram, std::size_t site, std::size_t edge) {
+GreatArc arcOf(const std::vector<Direction>& vectors, const Diagram& diagram, std::size_t site,
+               std::size_t edge) {
   const Cell cell = diagram.cell(site);
   const auto vertices = cell.vertices();
   const std::size_t next = edge + 1 < vertices.size() ? edge + 1 : 0;
@@ -236,7 +237,7 @@ Arc arcOf(const std::vector<Direction>& vectors, const Diagram& diagram, std::si
                     directionOf(vertices[edge]), directionOf(vertices[next]), next == edge);
 }
 
-std::vector<std::vector<Point>> linesOf(const SphereMap& map, const Arc& arc) {
+std::vector<std::vector<Point>> linesOf(const SphereMap& map, const GreatArc& arc) {
   std::vector<std::vector<Point>> lines;
   for (const Stretch stretch : map.isFlat() ? withoutTurns(arc) : facing(map, arc)) {
     if (map.isFlat() && isOnAntimeridian(along(arc, (stretch.from + stretch.to) / 2))) {

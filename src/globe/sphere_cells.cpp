@@ -276,14 +276,15 @@ Result<SphereCells> cellsOfSphere(const SphereSites& sites, const SphereMesh& me
   return cells;
 }
 
-Arc arcOf(std::span<const Direction> sites, const SphereCells& cells, std::size_t site, std::uint64_t edge) {
+GreatArc arcOf(std::span<const Direction> sites, const SphereCells& cells, std::size_t site,
+               std::uint64_t edge) {
   const auto next = edge + 1 < cells.offsets[site + 1] ? edge + 1 : cells.offsets[site];
   return arcBetween(sites[site], sites[static_cast<std::size_t>(cells.neighbor[edge])], cells.vertex[edge],
                     cells.vertex[next], next == edge);
 }
 
-Arc arcBetween(const Direction& site, const Direction& neighbor, const Direction& begin, const Direction& end,
-               bool is_sole) {
+GreatArc arcBetween(const Direction& site, const Direction& neighbor, const Direction& begin,
+                    const Direction& end, bool is_sole) {
   constexpr double nearly_half = 3;
   const Direction between = normalized(site - neighbor);
   if (is_sole) return {begin, end, between, 2 * std::numbers::pi};
@@ -291,7 +292,7 @@ Arc arcBetween(const Direction& site, const Direction& neighbor, const Direction
   return {begin, end, angle > 0 && angle < nearly_half ? normalized(cross(begin, end)) : between, angle};
 }
 
-Direction pointOn(const Arc& arc, double fraction) {
+Direction pointOn(const GreatArc& arc, double fraction) {
   const double angle = fraction * arc.angle;
   return std::cos(angle) * arc.begin + std::sin(angle) * cross(arc.axis, arc.begin);
 }

@@ -26,19 +26,20 @@ Result<SphereCells> cellsOfSphere(const SphereSites& sites, const SphereMesh& me
                                   int threads);
 
 /// A part of a great circle, as of an edge.
-struct Arc {
+struct GreatArc {
   Direction begin, end;
   Direction axis;  ///< unit vector around which the edge turns counter-clockwise
   double angle;    ///< in radians, up to a whole turn
 };
 
 /// Edge k of a site's cell.
-Arc arcOf(std::span<const Direction> sites, const SphereCells& cells, std::size_t site, std::uint64_t edge);
+GreatArc arcOf(std::span<const Direction> sites, const SphereCells& cells, std::size_t site,
+               std::uint64_t edge);
 /// The edge of a site's cell to a neighbor between two vertices; between the same, if it is the sole edge.
-Arc arcBetween(const Direction& site, const Direction& neighbor, const Direction& begin, const Direction& end,
-               bool is_sole);
+GreatArc arcBetween(const Direction& site, const Direction& neighbor, const Direction& begin,
+                    const Direction& end, bool is_sole);
 
 /// The place of an arc at a fraction of its length.
-Direction pointOn(const Arc& arc, double fraction);
+Direction pointOn(const GreatArc& arc, double fraction);
 
 }  // namespace vorpipe::core

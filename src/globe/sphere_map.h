@@ -63,7 +63,7 @@ class SphereMap {
 
 /// The parts of an arc that a map shows, as lines with so many points that they are smooth. They end at the
 /// map's border, and at poles, which are lines or corners of flat maps.
-std::vector<std::vector<Point>> linesOf(const SphereMap& map, const Arc& arc);
+std::vector<std::vector<Point>> linesOf(const SphereMap& map, const GreatArc& arc);
 
 /// Rings around what a map shows of a cell; `vectors` are those of all sites.
 std::vector<std::vector<Point>> ringsOf(const SphereMap& map, const Sites& sites,
@@ -71,7 +71,8 @@ std::vector<std::vector<Point>> ringsOf(const SphereMap& map, const Sites& sites
                                         std::size_t site);
 
 /// Edge k of a site's cell.
-Arc arcOf(const std::vector<Direction>& vectors, const Diagram& diagram, std::size_t site, std::size_t edge);
+GreatArc arcOf(const std::vector<Direction>& vectors, const Diagram& diagram, std::size_t site,
+               std::size_t edge);
 
 /// The vector of each site, as in SphereSites.
 std::vector<Direction> vectorsOf(const Sites& sites, int threads);

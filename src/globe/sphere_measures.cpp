@@ -95,7 +95,7 @@ class Sums {
   }
 
   /// Adds an arc of any length piece by piece.
-  double add(const Arc& arc) {
+  double add(const GreatArc& arc) {
     const int pieces = static_cast<int>(std::ceil(arc.angle / longest_arc));
     Direction last = arc.begin;
     for (int k = 1; k <= pieces; ++k) {
@@ -169,7 +169,7 @@ SphereMeasures measureCell(const SphereSites& sites, const SphereCells& cells, s
   if (reach > large) {
     Direction center{0, 0, 0};
     for (auto e = begin; e < end; ++e) {
-      const Arc arc = arcOf(sites.vectors(), cells, site, e);
+      const GreatArc arc = arcOf(sites.vectors(), cells, site, e);
       center = center + arc.angle * arc.axis;
     }
     apex = normalized(center);
@@ -200,7 +200,7 @@ SphereMeasures measureRings(std::span<const Direction> vertices, std::span<const
       const Direction &from = vertices[e], &to = vertices[e + 1 < end ? e + 1 : begin];
       lengths[e] = lengthOf(to - from) <= longest_arc
                        ? sums.add(from, to)
-                       : sums.add(Arc{from, to, normalized(cross(from, to)), angleBetween(from, to)});
+                       : sums.add(GreatArc{from, to, normalized(cross(from, to)), angleBetween(from, to)});
     }
     begin = end;
   }

@@ -111,7 +111,7 @@ SphereMoments momentsOf(const SphereSites& sites, const SphereCells& cells, std:
   if (is_large) {
     middle = {0, 0, 0};
     for (auto e = begin; e < end; ++e) {
-      const Arc arc = arcOf(sites.vectors(), cells, site, e);
+      const GreatArc arc = arcOf(sites.vectors(), cells, site, e);
       middle = middle + arc.angle * arc.axis;
     }
   }
@@ -122,7 +122,7 @@ SphereMoments momentsOf(const SphereSites& sites, const SphereCells& cells, std:
       sum.add(middle, from, to);
       continue;
     }
-    const Arc arc = arcOf(sites.vectors(), cells, site, e);
+    const GreatArc arc = arcOf(sites.vectors(), cells, site, e);
     const int pieces = static_cast<int>(std::ceil(arc.angle / longest));
     Direction last = from;
     for (int k = 1; k <= pieces; ++k) {

@@ -189,8 +189,10 @@ Result<FluidSetup> fluidCase(FluidCase which, std::uint64_t parcels, Outline out
     return tl::unexpected(refusalOf(Subject::outline, std::move(message)));
   };
   const FluidOptions& options = setup.options;
-  if (options.periodic != Periodic::none) return refuse("a case with a period has none");
-  if (options.surface == Surface::free) return refuse("a case with a free surface has none");
+  if (options.periodic != Periodic::none)
+    return refuse("this case repeats itself, in a box of its own; an outline is for cases within walls");
+  if (options.surface == Surface::free)
+    return refuse("this case has a free surface, in a box of its own; an outline is for cases that fill it");
   VORPIPE_LET(rings, core::ringsOf(outline, 0));
   const Box &whole = options.domain, box = boxOf(outline.points);
   if (box.xmin < whole.xmin || box.ymin < whole.ymin || box.xmax > whole.xmax || box.ymax > whole.ymax) {

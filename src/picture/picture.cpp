@@ -14,6 +14,7 @@
 #include "picture/pixels.h"
 #include "sites/images.h"
 #include "vorpipe.h"
+#include "vorpipe/label_room.h"
 
 namespace vorpipe {
 
@@ -199,9 +200,13 @@ Result<Rendering> renderOn(const Machine& machine, const Sites& sites, const Ren
     apart = std::move(found);
   }
   VORPIPE_VAR(kept, findPicture(machine, sites, options, with_cells));
-  VORPIPE_LET(marks, marksOf(sites, apart ? *apart : kept.found.diagram, options, machine.threads));
+  const Diagram& marked = apart ? *apart : kept.found.diagram;
+  VORPIPE_LET(marks, marksOf(sites, marked, options, machine.threads));
+  std::string note = noteOnRoom(marked, options, marks.labels);
   apart.reset();
-  return renderKept(machine, sites, options, marks, kept);
+  auto rendering = renderKept(machine, sites, options, marks, kept);
+  if (rendering && !note.empty()) rendering->report.notes.push_back(std::move(note));
+  return rendering;
 }
 
 }  // namespace vorpipe::core

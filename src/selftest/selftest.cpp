@@ -134,9 +134,7 @@ bool SelftestDevice::passed() const {
 
 bool SelftestDevice::isNamed(std::string_view device) const {
   if (device.empty()) return true;
-  if (index < 0) return false;
-  if (const auto wanted = wholeNumber<int>(device)) return index == *wanted;
-  return isPartOf(device, info.name);
+  return index >= 0 && isIndexOrPartOf(device, static_cast<std::size_t>(index), info.name);
 }
 
 bool SelftestReport::passed() const { return std::ranges::all_of(devices, &SelftestDevice::passed); }

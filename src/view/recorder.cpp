@@ -191,7 +191,7 @@ Result<void> savePng(const std::string& path, const Image& image) {
 }
 
 Result<std::unique_ptr<Recorder>> openRecorder(const std::string& path) {
-  if (lowerExtension(path) == ".mp4") return openFilm(path);
+  if (lowerExtension(path) == film_extension) return openFilm(path);
   auto frames = openFrames(path, 1);
   if (!frames) return frames;
   const auto isOurs = [](const fs::directory_entry& entry) {

@@ -25,9 +25,11 @@ class Recorder {
 /// Writes a picture as a PNG file. Errors: those of OutputFile and writePng.
 Result<void> savePng(const std::string& path, const Image& image);
 
-/// Opens a film by ffmpeg if the path ends in .mp4; else a folder of frame-00001.png and so on, creating it
-/// if needed. Errors (input): the folder is not empty, or cannot be written; (device): there is no ffmpeg on
-/// PATH.
+inline constexpr std::string_view film_extension = ".mp4";
+
+/// Opens a film by ffmpeg if the path ends in film_extension; else a folder of frame-00001.png and so on,
+/// creating it if needed. Errors (input): the folder is not empty, or cannot be written; (device): there is
+/// no ffmpeg on PATH.
 Result<std::unique_ptr<Recorder>> openRecorder(const std::string& path);
 
 /// Opens a folder of numbered frames that continues with number `first`, whatever it holds. Error (input): it

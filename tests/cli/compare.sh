@@ -165,6 +165,7 @@ succeeds "a device behind its backend" compare --backends opengl:0,cpu:0 --sites
 expect "opengl:0 / cpu:0"
 grep -q '"backend": "opengl:0, cpu:0"' out/s.json || fail "out/s.json does not name the devices"
 fails 3 "a device that is not there, behind its backend" "77" compare --backends cpu,vulkan-compute:77 --sites random:9 --report out/old.json
+fails 3 "a number that is a part of a name" "'256'" compare --backends vulkan-compute:0,vulkan-compute:256 --sites random:9 --report out/old.json
 fails 2 "no device behind a colon" '"cpu:" names no device' compare --backends cpu:,opengl --sites random:9
 fails 2 "a device twice" '"opengl:0" is named twice' compare --backends opengl:0,opengl:0 --sites random:9
 fails 2 "compare with an unknown backend" '--backends: "nope" is not one of' compare --backends cpu,nope --sites random:9 --report out/old.json

@@ -252,5 +252,11 @@ fails 3 "no such device of cpu" "'3'" render --backend cpu --device 3 --sites ra
 succeeds "the device of cpu" render --backend cpu --device 0 --sites random:9 --size 9x9 -o out/l.png
 fails 3 "no such index" "'77'" render --backend vulkan-geometry --device 77 --sites random:9 -o out/old.png
 grep -qF "there are 0" log/err && fail "it says that there are no devices"
+# A number is no part of a name, such as "llvmpipe (LLVM 15.0.6, 256 bits)".
+for backend in vulkan-geometry vulkan-compute opengl cpu; do
+  for index in 256 00099999999999999999999; do
+    fails 3 "no such index of $backend" "'$index'" cells --backend $backend --device $index --sites random:9 -o out/old.csv
+  done
+done
 
 finish

@@ -127,13 +127,23 @@ refused '--viscosity: -1 is not a number of 0 or more' $vortex --viscosity -1 -o
 refused '--walls: "glue" is not slip or no-slip' $vortex --walls glue -o out/a.csv
 refused '--walls: without viscosity a fluid does not stick to them' $vortex --walls no-slip -o out/a.csv
 refused '--domain: outline: it reaches beyond the domain of the case, 0,0,1,1' $vortex --domain in/ring.geojson -o out/a.csv
-refused '--domain: outline: a case with a period has none' fluid --case shear --domain in/ring.geojson -o out/a.csv
-refused '--domain: outline: a case with a free surface has none' fluid --case dam-break --domain in/ring.geojson -o out/a.csv
+refused '--domain: outline: this case repeats itself, in a box of its own' fluid --case shear --domain in/ring.geojson -o out/a.csv
+refused '--domain: outline: this case has a free surface, in a box of its own' fluid --case dam-break --domain in/ring.geojson -o out/a.csv
 refused '--domain: a checkpoint has its own' fluid --resume out/part.npz --domain in/ring.geojson -o out/a.csv
 refused '--domain: in/none.wkt: ' $vortex --domain in/none.wkt -o out/a.csv
 refused '--repair requires --domain' $vortex --repair -o out/a.csv
 refused '--legend: colors by --flow-color have none' $vortex --frames out/none --steps 1 --flow-color speed --legend
 refused '--flow-color: "heat" is not ' $vortex --frames out/none --flow-color heat
+refused '--frames: "out/t.png" is the name of a file that is no film; name an .mp4 or a folder' $vortex --steps 1 --frames out/t.png
+refused '--series: "out/x.vtp" is the name of a file; name a folder' $vortex --steps 1 --series out/x.vtp
+refused '--labels: "@name" is for render, relax and transport; here labels are indices' $vortex --frames out/none --steps 1 --labels @name
+refused '--color: "@rain" is for render, relax and transport; here colors show site, area' $vortex --frames out/none --steps 1 --color @rain
+refused '--color: "in/a.jpg" is for render, relax and transport; here colors show' $vortex --frames out/none --steps 1 --color in/a.jpg
+refused '--legend: "beside" is for render, relax and transport; here the legend is inside' \
+  $vortex --frames out/none --steps 1 --color area --legend beside
+mkdir out/a.mov
+succeeds "a folder that is there" $vortex --steps 1 --frames out/a.mov --size 100 --color area --legend inside --labels
+[ -e out/a.mov/frame-00001.png ] || fail "no picture in the folder"
 refused '--particles: needs about' $vortex --memory-limit 1MB -o out/a.csv
 # Each case is forecast as it is: what it needs is enough, but for what its sites and the device tell afterwards.
 for case in shear dam-break; do

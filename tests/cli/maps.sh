@@ -200,6 +200,7 @@ in_system out/a.gpkg EPSG:4258
 refuses "a system that the sites contradict" "--crs: EPSG:25833 is named, and in/wells.geojson is in EPSG:25832" --sites in/wells.geojson --crs EPSG:25833
 refuses "a system that the outline contradicts" "--crs: EPSG:4326 is named, and in/district.geojson is in EPSG:25832" --sites in/wells.csv --domain in/district.geojson --crs EPSG:4326
 refuses "degrees that are none" "--crs: EPSG:4326 is of degrees, and coordinates of in/wells.csv are none" --sites in/wells.csv --crs EPSG:4326
+notes "no code" "--crs: EPSG:99 is no code of EPSG, which are 1024 to 32767" cells --backend cpu --sites in/wells.csv --crs EPSG:99 -o out/a.csv
 for system in "" Mars EPSG:0 EPSG:x 'FRUIT["apple"]'; do refuses "the system '$system'" "--crs: " --sites in/wells.csv --crs "$system"; done
 geojson "" '{"type":"Polygon","coordinates":[[[0,0],[90,0],[90,90],[0,90],[0,0]]]}' >in/degrees.geojson
 succeeds "coordinates that are no degrees do not become some" cells --backend cpu --sites in/wells.csv --domain in/degrees.geojson -o out/a.gpkg --quiet
@@ -233,7 +234,36 @@ refuses_id "a line without a name" "in/nameless.csv:3:5: empty field" --sites in
 refuses_id "a name with what separates names" "has a semicolon" --sites in/semicolon.csv --id @name
 refuses_id "a name of a wall" '"xmin" is the name of a wall' --sites in/wall.csv --id @name
 refuses_id "an attribute that is not there" '--id: the sites have no attribute "nam"; they have "name", "code"' --sites in/wells.csv --id @nam
-refuses_id "names without @" "--id: " --sites in/wells.csv --id name
+cp out/a.csv in/named.csv
+for id in name @NAME Name; do
+  succeeds "names by $id" cells --backend cpu --sites in/wells.csv --id $id --share -o out/a.csv
+  cmp -s in/named.csv out/a.csv || fail "the names are others"
+done
+printf 'x,y,Name,NAME\n1,1,Aa,A\n2,1,Bb,B\n' >in/cases.csv
+refuses_id "a name that may be either" '--id: the sites have no attribute "name"; they have "Name", "NAME"' --sites in/cases.csv --id @name
+succeeds "a name that is meant" cells --backend cpu --sites in/cases.csv --id @NAME --quiet -o out/a.csv
+[ "$(sed -n 2p out/a.csv | cut -d, -f11)" = '"ymax;xmin;ymin;B"' ] || fail "other names: $(cat out/a.csv)"
+succeeds "names with what separates names, where nothing is separated" cells --backend cpu --sites in/semicolon.csv --id @name \
+  -o out/a.geojson --triangulation out/t.csv --edges out/e.csv
+grep -qx '0,Aa,"a;b",.*' out/t.csv || fail "other names: $(cat out/t.csv)"
+refuses_id "the same where they are" '"a;b" has a semicolon, which separates neighbors in .csv and .gpkg' --sites in/semicolon.csv --id @name --edges out/old.geojson
+# A cell with two edges to one neighbor, and three along an outline.
+printf 'x,y,name\n0,0,mid\n0,-3,low\n' >in/bar.csv
+geojson "" '{"type":"Polygon","coordinates":[[[-4,-4],[4,-4],[4,2],[1,2],[1,-2],[-1,-2],[-1,2],[-4,2],[-4,-4]]]}' >in/fork.geojson
+succeeds "each neighbor once by name" cells --backend cpu --check --sites in/bar.csv --domain in/fork.geojson --id @name --quiet -o out/a.csv -o out/a.geojson -o out/a.gpkg -o out/a.npz
+/usr/bin/python3 - <<'END' || fail "a neighbor is named twice, or not at all"
+import csv, json, numpy, sqlite3
+rows = [r["neighbors"].split(";") for r in csv.DictReader(open("out/a.csv"))]
+arrays = numpy.load("out/a.npz")
+offsets, neighbors = arrays["neighbor_offsets"], arrays["neighbors"]
+for site, names in enumerate(rows):
+    own = neighbors[offsets[site]:offsets[site + 1]].tolist()
+    named = {0: "mid", 1: "low", -1: "xmin", -2: "xmax", -3: "ymin", -4: "ymax", -5: "outline"}
+    assert sorted(names) == sorted({named[k] for k in own}), (names, own)
+assert [len(set(neighbors[offsets[s]:offsets[s + 1]])) < offsets[s + 1] - offsets[s] for s in (0, 1)] == [True, True]
+assert [f["properties"]["neighbors"] for f in json.load(open("out/a.geojson"))["features"]] == rows
+assert [r[0].split(";") for r in sqlite3.connect("out/a.gpkg").execute("select neighbors from cells order by site")] == rows
+END
 fails 2 "names of nothing" "--id: there is no output with names" cells --backend cpu --sites in/wells.csv --id @name -o out/old.npz
 fails 2 "shares of nothing" "--share: there is no output" cells --backend cpu --sites in/wells.csv --share -o out/old.npz
 fails 2 "a triangulation that repeats itself" "--triangulation: there is none in a domain that repeats" cells --backend cpu --sites random:9 --periodic x --triangulation out/old.csv
@@ -397,6 +427,14 @@ geojson "" '{"type":"Polygon","coordinates":[[[0,0],[1,1],[1,0],[0,1],[0,0]]]}' 
 printf 'x,y,share\n0,0,1\n4,0,2\n' >in/pair.csv
 notes "features that overlap count each for itself, those of one name are one" '--by: 1 of the features in in/squares.geojson have the "name" of one before them' \
   cells --backend cpu --check --sites in/pair.csv --domain in/squares.geojson --by name -o out/p.csv
+grep -qxF 'vorpipe: note: --by: 1 of the features in in/squares.geojson has no polygon, and is left out' log/err || fail "nothing of the feature without a polygon"
+cp out/p.csv in/pieces.csv
+for by in @name Name; do
+  succeeds "by $by" cells --backend cpu --sites in/pair.csv --domain in/squares.geojson --by $by --quiet -o out/p.csv
+  cmp -s in/pieces.csv out/p.csv || fail "other pieces"
+done
+notes "pieces as lines of a plane" 'out/p.geojsonl: readers take the coordinates of GeoJSON for degrees' \
+  cells --backend cpu --sites in/pair.csv --domain in/squares.geojson --by name -o out/p.geojsonl
 [ "$(cut -d, -f1,2,5,7,8 out/p.csv | tr '\n' ' ')" = "name,site,area,share,site_share a,0,4,0.6666666666666666,1 a,1,2,0.3333333333333333,2 b,0,2,0.5,1 b,1,2,0.5,2 ,1,2,1,2 " ] ||
   fail "other pieces: $(cat out/p.csv)"
 succeeds "an attribute that is named as a field" cells --backend cpu --sites in/pair.csv --domain in/squares.geojson --by area --quiet -o out/p.csv
@@ -497,6 +535,12 @@ refuses "one color" "in/colors.txt: has 1 colors, and takes two or more" --sites
 refuses "no file of colors" "--colormap: in/none.txt" --sites random:9 --color area --colormap in/none.txt
 refuses "a list with what is no color" '--colormap: "blau"' --sites random:9 --color area --colormap 'red,blau'
 refuses "a map that is none" 'did you mean viridis?' --sites random:9 --color area --colormap viridi
+refuses "a color that is none" '"blue" is not one of site, area, neighbors, weight, distinct; nor @NAME, an attribute, nor a photograph, .png or .jpg' --sites random:9 --color blue
+refuses "a photograph of another kind" '"p.webp" is not one of site, area, neighbors, weight, distinct; nor @NAME, an attribute, nor a photograph' --sites random:9 --color p.webp
+grep -q '<title>a, site 0, area ' in/before.svg || fail "no name over a cell"
+notes "names without room" 'labels: 3 names have no room, and are left out' render --backend cpu --sites in/rain.csv --labels @kind --label-size 80 --size 100 -o out/rain.png
+notes "names without room in shapes" 'labels: 3 names have no room, and are left out' render --backend cpu --sites in/rain.csv --labels @kind --label-size 80 --size 100 -o out/rain.svg
+[ "$(grep -c 'no room' log/err)" = 1 ] || fail "not said once"
 refuses "an attribute that is none" '--color: there is no attribute "snow"; known are rain, kind' --sites in/rain.csv --color @snow
 refuses "a label that is none" '--labels: there is no attribute "snow"' --sites in/rain.csv --labels @snow
 refuses "an attribute without values" '--color: no site has a value of "two"' --sites in/rain.csv --color @two

@@ -95,6 +95,8 @@ wrong "a picture as sites" "--picture out/old.png" --sites random:9 -o out/old.p
 wrong "cells as sites" "--cells out/old.npz" --sites random:9 -o out/old.npz
 mkdir -p in/full && touch in/full/a
 wrong "frames among others" "--frames: in/full" --sites random:9 --frames in/full
+for film in gif AVI webm; do wrong "a film that is none" "--frames: \"in/q.$film\" is the name of a file that is no film; name an .mp4 or a folder" --sites random:9 --frames in/q.$film; done
+[ -e in/q.gif ] && fail "there is a folder"
 wrong "numbers of nothing" "--save-every: there is no" --sites random:9 --save-every 2 --trace out/old.csv
 wrong "a number that the trace has" "t-0001.csv: is the same output file as" --sites random:9 --iterations 3 \
   --save-every 1 -o in/t.csv --trace in/t-0001.csv

@@ -82,7 +82,7 @@ succeeds "an opaque background" render --backend cpu --sites in/two.csv --domain
 succeeds "it again" rerun out/colors.json
 refuses "a color that is none" '--background: "reddish" is no color' --sites random:9 --background reddish
 refuses "the color of no edges" "--edge-color" --sites random:9 --edge-color red
-refuses "edges that show through" "edge color #ff000080: must be opaque" --sites random:9 --edges --edge-color '#ff000080'
+refuses "edges that show through" '--edge-color: "#ff000080" is not opaque, as #rgb, #rrggbb and names of CSS are' --sites random:9 --edges --edge-color '#ff000080'
 # -- Photographs ----------------------------------------------------------------------------------------
 /usr/bin/python3 - <<'E' || fail "no photographs"
 from PIL import Image

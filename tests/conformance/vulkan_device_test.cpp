@@ -1,4 +1,5 @@
 // Which device is taken, what a mask does to it, and what is said when none fits.
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -42,7 +43,7 @@ TEST(VulkanChoice, FindsADeviceByIndexOrPartOfItsName) {
   EXPECT_EQ(chosen("1"), "Iris Plus");
   EXPECT_EQ(chosen("IRIS"), "Iris Plus");
   EXPECT_EQ(chosen("radeon"), "Radeon Two");
-  EXPECT_EQ(chosen("1080"), "GTX 1080");
+  EXPECT_EQ(chosen("gtx 1080"), "GTX 1080");
 }
 
 TEST(VulkanChoice, SaysWhyThereIsNone) {
@@ -51,6 +52,11 @@ TEST(VulkanChoice, SaysWhyThereIsNone) {
       chosen("Voodoo"),
       "no Vulkan device 'Voodoo'; choose one of 0 'llvmpipe', 1 'Iris Plus', 2 'Radeon One', 3 'Radeon Two', "
       "4 'GTX 1080'");
+  // Numbers that are parts of a name are no index.
+  for (const std::string wanted : {"5", "1080", "10", "18446744073709551616"}) {
+    EXPECT_THAT(chosen(wanted),
+                testing::StartsWith("no Vulkan device '" + wanted + "'; choose one of 0 'llvmpipe'"));
+  }
 }
 
 Error openError(const Mask& mask, std::string device = {}) {

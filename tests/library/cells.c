@@ -378,6 +378,21 @@ static void moves(vorpipe_session* session) {
   sites.count = 2;
   DONE(vorpipe_input_set_sites_float(input, &sites));
   DONE(vorpipe_input_add_attribute(input, "name", VORPIPE_TEXT, names, 2));
+  sites.count = 0;
+  REFUSED(VORPIPE_INPUT, "sites: there are none", vorpipe_input_set_sites_float(input, &sites));
+  sites.count = 2;
+  sites.position_stride = 2;
+  REFUSED(VORPIPE_INPUT, "position_stride: 2 bytes, where a number has 4",
+          vorpipe_input_set_sites_float(input, &sites));
+  sites.position_stride = 3 * sizeof(float);
+  sites.weight_stride = 3;
+  REFUSED(VORPIPE_INPUT, "weight_stride: 3 bytes, where a number has 4",
+          vorpipe_input_set_sites_float(input, &sites));
+  sites.weight_stride = 3 * sizeof(float);
+  other.position_stride = 7;
+  REFUSED(VORPIPE_INPUT, "position_stride: 7 bytes, where a number has 8",
+          vorpipe_input_set_sites(input, &other));
+  PROMISE(vorpipe_input_count(input) == 2);
   sites.count = 3;
   REFUSED(VORPIPE_INPUT, "attributes: are of 2 sites, not of 3",
           vorpipe_input_set_sites_float(input, &sites));

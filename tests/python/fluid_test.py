@@ -69,8 +69,25 @@ def test_walls_are_outlines(tmp_path):
     assert fluid.last.step == again.last.step and np.array_equal(fluid.sites, again.sites)
     with pytest.raises(vorpipe.InputError, match='sites: 1 of'):
         vorpipe.Fluid(np.vstack((points, (1, 0.5))), domain=inside)
-    with pytest.raises(vorpipe.InputError, match='^domain: shear has its own'):
+    with pytest.raises(vorpipe.InputError, match='^domain: .*this case repeats itself'):
         vorpipe.Fluid('shear', domain=inside)
+    with pytest.raises(vorpipe.InputError, match='^domain: .*part.npz has its own'):
+        vorpipe.Fluid(tmp_path / 'part.npz', domain=inside)
+    with pytest.raises(vorpipe.InputError, match='^weights: taylor-green has its own'):
+        vorpipe.Fluid('taylor-green', weights=[1])
+
+
+def test_a_case_begins_in_an_outline_as_on_the_command_line():
+    shapely = pytest.importorskip('shapely')
+    inside = shapely.Point(0.5, 0.5).buffer(0.4)
+    fluid = vorpipe.Fluid('taylor-green', parcels=100, domain=inside)
+    assert fluid.volumes.sum() == pytest.approx(inside.area, rel=1e-6) and len(fluid.outline) == 1
+    # A ring that crosses itself is mended where that is asked for.
+    bow = [[0.1, 0.1], [0.9, 0.9], [0.9, 0.1], [0.1, 0.9]]
+    with pytest.raises(vorpipe.InputError, match='^domain: '):
+        vorpipe.Fluid('taylor-green', parcels=100, domain=bow)
+    assert vorpipe.Fluid('taylor-green', parcels=100, domain=bow, repair=True).volumes.sum() == pytest.approx(0.32)
+    assert repr(fluid.step()).startswith('<vorpipe.FluidStep 1: time 0.')
 
 
 def test_arrays_are_views_that_later_steps_leave_alone():

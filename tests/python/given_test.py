@@ -269,6 +269,8 @@ def test_a_geometry_without_a_place_is_refused_by_its_row():
     geopandas = pytest.importorskip('geopandas')
     with pytest.raises(vorpipe.InputError, match='geometry 1 has no place'):
         vorpipe.cells(geopandas.GeoSeries([shapely.Point(1, 2), shapely.Point(), shapely.Point(2, 3)]))
+    with pytest.raises(vorpipe.InputError, match="^points: geometry 'b' has no place"):
+        vorpipe.cells(geopandas.GeoSeries([shapely.Point(1, 2), None, shapely.Point(2, 3)], index=list('abc')))
 
 
 def towns(geopandas, index=('f', 'h', 'm'), **columns):
@@ -335,7 +337,8 @@ def test_voronoi_polygons_takes_polygons_for_a_domain():
     for domain in (country, country.geometry, land):
         cells = vorpipe.voronoi_polygons(frame, domain)
         assert cells.area.sum() == pytest.approx(land.area) and cells.within(land.buffer(1)).all()
-    with pytest.raises(vorpipe.InputError, match='^domain: the outline is in EPSG:4326, points in EPSG:25832'):
+    advice = 'the outline is in EPSG:4326, points in EPSG:25832; take one .*, as to_crs."EPSG:25832". does'
+    with pytest.raises(vorpipe.InputError, match=f'^domain: {advice}'):
         vorpipe.voronoi_polygons(frame, country.to_crs(4326))
     far = geometry.box(0, 0, 1e6, 7e6)
     grown = vorpipe.voronoi_polygons(frame, extend_to=geopandas.GeoSeries([far])).unary_union
@@ -360,6 +363,31 @@ def test_voronoi_polygons_has_empty_cells_edges_and_several_points_of_a_row():
     assert edges.unary_union.length == pytest.approx((cells.geometry[:3].length.sum() + 12) / 2)
     with pytest.raises(vorpipe.InputError, match='^points: a list is neither a GeoDataFrame nor a GeoSeries'):
         vorpipe.voronoi_polygons(CITIES)
+
+
+def test_voronoi_polygons_leaves_rows_without_a_geometry_without_one():
+    geopandas = pytest.importorskip('geopandas', reason='there is no geopandas')
+    geometry = pytest.importorskip('shapely.geometry')
+    shapes = [geometry.Point(1, 1), None, geometry.MultiPoint([(2, 1), (2, 2)]), geometry.Point()]
+    frame = geopandas.GeoDataFrame({'n': [1, 2, 3, 4]}, geometry=shapes, index=list('abcd'), crs=25832)
+    domain = geopandas.GeoSeries([None, geometry.box(0, 0, 3, 3)], crs=25832)
+    with pytest.warns(vorpipe.InputWarning, match='^points: 2 of 4 rows have no geometry, and get none$'):
+        cells = vorpipe.voronoi_polygons(frame, domain)
+    assert cells.index.tolist() == list('abccd') and cells['n'].tolist() == [1, 2, 3, 3, 4] and cells.crs == frame.crs
+    assert cells.geometry.isna().tolist() == [False, True, False, False, True] and cells.area.sum() == 9
+    with pytest.warns(vorpipe.InputWarning, match='2 of 3 rows'):
+        series = vorpipe.voronoi_polygons(frame.geometry[['d', 'a', 'b']], domain, weights=[5, 0, 7])
+    assert series.isna().tolist() == [True, False, True] and series.loc['a'].area == 9
+    with pytest.warns(vorpipe.InputWarning, match='2 of 2 rows'):
+        assert vorpipe.voronoi_polygons(frame.loc[['b', 'd']]).geometry.isna().all()
+    for empty in (frame[:0], frame.geometry[:0]):
+        with warnings.catch_warnings():
+            warnings.simplefilter('error', vorpipe.InputWarning)
+            nothing = vorpipe.voronoi_polygons(empty)
+        assert type(nothing) is type(empty) and len(nothing) == 0 and nothing.crs == frame.crs
+        assert list(nothing) == list(empty)
+    with pytest.raises(vorpipe.InputError, match='^domain: it has no ring'):
+        vorpipe.cells([(0, 0), (1, 1)], domain=domain[:1])
 
 
 def test_voronoi_polygons_of_degrees_say_so_or_are_projected():

@@ -165,6 +165,7 @@ def test_interpolation_is_smooth_and_exact_for_linear_functions(random):
     assert np.allclose(diagram.interpolate('height', places), expected, atol=1e-12)
     both = diagram.interpolate(np.column_stack((sites, diagram.attributes['height'])), [*places, (9, 9)])
     assert np.allclose(both[:-1], np.column_stack((places, expected)), atol=1e-12) and np.isnan(both[-1]).all()
+    assert diagram.interpolate('@height', sites[:5]).tolist() == diagram.interpolate('height', sites[:5]).tolist()
     assert diagram.interpolate('height', sites[:5]).tolist() == diagram.attributes['height'][:5].tolist()
     with pytest.raises(vorpipe.InputError, match="^values: there is no attribute 'rain'; there are height"):
         diagram.interpolate('rain', places)

@@ -28,6 +28,11 @@ def test_each_pair_of_neighbors_is_an_edge(diagram):
     assert np.array_equal(np.unique(inner, axis=0), diagram.neighbor_pairs())
 
 
+def test_topology_says_how_much_there_is():
+    assert repr(vorpipe.cells([(0.25, 0.5), (0.75, 0.5)], domain=(0, 0, 1, 1)).topology()) == (
+        '<vorpipe.Topology: 6 vertices, 7 edges>')
+
+
 def test_topology_takes_polygons():
     with pytest.raises(vorpipe.InputError, match='topology takes'):
         vorpipe.cells([(0.5, 0.5)], domain=UNIT, detail='measures').topology()

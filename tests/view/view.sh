@@ -289,6 +289,11 @@ fails 2 "no such case" '--case: "river" is not' view --case river
 fails 2 "a fluid that cannot begin" '--scheme: projection is for domains that are full' view --backend cpu \
   --case dam-break --particles 32 --scheme projection
 fails 2 "sites beside a fluid" "--sites: is for sites that are not a fluid's" view --case shear --sites random:9
+fails 2 "names in a window" '--labels: "@name" is for render, relax and transport; here labels are indices' view --sites random:9 --labels @name
+fails 2 "an attribute in a window" '--color: "@rain" is for render' view --sites random:9 --color @rain
+fails 2 "a photograph in a window" '--color: "a.jpg" is for render' view --sites random:9 --color a.jpg
+fails 2 "a legend beside a window" '--legend: "beside" is for render' view --sites random:9 --color area --legend beside
+fails 2 "a film that is none" '--record: "a.gif" is the name of a file that is no film' view --sites random:9 --record a.gif
 fails 2 "an option of fluids" '--run: is for fluids; name one with --case or --resume' view --run
 DISPLAY='' fails 3 "no display" display view --sites random:9
 

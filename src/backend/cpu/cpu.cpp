@@ -138,7 +138,7 @@ DeviceInfo cpuDevice() {
 
 Result<void> checkCpuDevice(std::string_view wanted) {
   const auto name = processorName();
-  if (wanted == "0" || isPartOf(wanted, name)) return {};
+  if (isIndexOrPartOf(wanted, 0, name)) return {};
   return tl::unexpected(Error{
       ErrorCode::device, "cpu: there is no device '" + std::string(wanted) + "', only 0 '" + name + "'"});
 }

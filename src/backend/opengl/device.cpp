@@ -123,11 +123,12 @@ tl::unexpected<Error> cannotUse(const Device& device, std::size_t index) {
                                                              index, device.info.name, device.info.reason)});
 }
 
-// The best of the devices whose name has the part, usable ones first; the list's end if none has.
-std::size_t bestNamed(const std::vector<Device>& devices, std::string_view part) {
+// The best of the devices with that index or part of their name, usable ones first; the list's end if none
+// is.
+std::size_t bestOf(const std::vector<Device>& devices, std::string_view wanted) {
   std::size_t best = devices.size();
   for (std::size_t i = 0; i < devices.size(); ++i) {
-    if (!isPartOf(part, devices[i].info.name)) continue;
+    if (!isIndexOrPartOf(wanted, i, devices[i].info.name)) continue;
     const auto key = [&](std::size_t k) { return std::pair(!devices[k].info.usable, rank(devices[k].info)); };
     if (best == devices.size() || key(i) < key(best)) best = i;
   }
@@ -148,7 +149,7 @@ std::vector<Device> findDevices(const Mask& mask, Drivers drivers) {
 }
 
 Result<Device> chooseDevice(std::vector<Device> devices, std::string_view wanted) {
-  const auto index = wholeNumber<std::size_t>(wanted).value_or(bestNamed(devices, wanted));
+  const std::size_t index = bestOf(devices, wanted);
   if (index >= devices.size()) {
     return tl::unexpected(
         Error{ErrorCode::device, fmt::format("opengl: there is no device '{}' among the {} here; list "

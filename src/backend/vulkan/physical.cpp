@@ -237,11 +237,9 @@ Result<Physical> describe(VkPhysicalDevice handle, const Mask& mask, Pipeline pi
 }
 
 std::vector<const Physical*> candidates(std::span<const Physical> devices, std::string_view wanted) {
-  const auto index = wholeNumber<std::size_t>(wanted);
-  if (index && *index < devices.size()) return {&devices[*index]};
   std::vector<const Physical*> found;
-  for (const Physical& device : devices) {
-    if (isPartOf(wanted, device.info.name)) found.push_back(&device);
+  for (std::size_t index = 0; index < devices.size(); index++) {
+    if (isIndexOrPartOf(wanted, index, devices[index].info.name)) found.push_back(&devices[index]);
   }
   return found;
 }

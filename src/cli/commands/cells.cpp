@@ -119,22 +119,6 @@ std::string leftOutNote(const Diagram& diagram) {
   return fmt::format("--only-cells: {} of {} sites have no cell, and are left out", left_out, diagram.size());
 }
 
-/// Returns the path of the first GeoJSON file, or of the first of lines, if the others name their system.
-std::string geoJsonPath(const CellsTargets& targets, bool lines_alone) {
-  const auto isGeoJson = [lines_alone](std::string_view extension) {
-    return extension.starts_with(lines_alone ? ".geojsonl" : ".geojson");
-  };
-  for (const CellsTarget& target : targets.cells) {
-    if (isGeoJson(target.format->extension)) return target.path;
-  }
-  for (const auto& edges : {targets.edges, targets.triangulation}) {
-    for (const EdgesTarget& target : edges) {
-      if (isGeoJson(target.format->extension)) return target.path;
-    }
-  }
-  return {};
-}
-
 /// Prints up to three lines on standard error, unless the run is quiet: how many records --only-cells left
 /// out; which attributes were renamed in the files; that GeoJSON has coordinates of a plane without its name,
 /// which readers take for degrees.
@@ -144,13 +128,7 @@ void printCellsNotes(const TalkOptions& talk, const CellsTargets& targets, const
   };
   if (targets.only_cells) note(leftOutNote(output.diagram));
   if (targets.carryAttributes()) note(renamingNote(output.attributes, addedFields(output)));
-  const std::string geojson = geoJsonPath(targets, !geoJsonSystem(output.system).empty());
-  if (output.system.kind == CoordinateKind::plane && !geojson.empty()) {
-    note(
-        fmt::format("{}: readers take the coordinates of GeoJSON for degrees, and these are of a plane; "
-                    ".gpkg says of which",
-                    geojson));
-  }
+  note(noteOnGeoJson(targets, output.system));
 }
 
 /// Writes the files, converted back to degrees if the input was projected.
@@ -251,11 +229,11 @@ void addCells(CommandLine& line) {
                          "(Laguerre or radical cells)",
                          [command](const Invocation& how) { return cells(*command, how); });
   addInputOptions(options, command->input).required();
-  options.addText(
-      "--by", command->input.by, "NAME",
-      "cells in each feature of --domain by itself, which this attribute names: a record for each "
-      "feature and each site whose cell meets it, with the area and its share of the feature; "
-      "features of one name are one");
+  addParsed(options, "--by", command->input.by, "NAME",
+            "cells in each feature of --domain by itself, which this attribute names: a record for each "
+            "feature and each site whose cell meets it, with the area and its share of the feature; "
+            "features of one name are one",
+            parseAttributeWord);
   addGlobe(options, command->input);
   options.group("Output");
   addCellsTargets(options, command->targets);

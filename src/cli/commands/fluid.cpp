@@ -206,7 +206,6 @@ Result<void> checkCommand(const FluidCommand& command, const FluidSetup& setup, 
     VORPIPE_TRY(
         run.needsOutput("sites.csv", "--cells, --trace, --frames, --series, --checkpoint or --stats"));
   }
-  VORPIPE_TRY(checkLabels(command.picture));
   const bool by_flow = flowColorOf(setup.state, command.picture, targets.color) != view::FlowColor::none;
   if (!targets.frames.empty() && command.picture.render.legend && by_flow) {
     return inputError("--legend: colors by --flow-color have none");
@@ -334,7 +333,7 @@ void addFluid(CommandLine& line) {
   addSizeOptions(options, command->picture);
   addColorOptions(options, command->picture.render);
   addFlowColor(options, command->targets.color);
-  addMarkOptions(options, command->picture);
+  addMarkOptions(options, command->picture, LabelsOf::indices);
   addCommonOptions(options, *command);
 }
 

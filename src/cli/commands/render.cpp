@@ -155,9 +155,11 @@ Result<ExitCode> render(RenderCommand& command, const Invocation& how) {
 
 void addRender(CommandLine& line) {
   auto command = std::make_shared<RenderCommand>();
-  Options options =
-      line.addSubcommand("render", "draws the Voronoi diagram of sites; with weights, the power diagram",
-                         [command](const Invocation& how) { return render(*command, how); });
+  Options options = line.addSubcommand(
+      "render",
+      "draws the Voronoi diagram of sites (Thiessen polygons, Dirichlet cells); with weights, "
+      "the power diagram (Laguerre or radical cells)",
+      [command](const Invocation& how) { return render(*command, how); });
   addInputOptions(options, command->input).required();
   addGlobe(options, command->input);
   options.group("Output");

@@ -153,7 +153,6 @@ Result<view::AppOptions> appOf(const ViewCommand& command) {
     options.viewer.density = std::make_shared<const Density>(std::move(density->density));
     options.viewer.settings.density_path = command.density;
   }
-  VORPIPE_TRY(checkLabels(command.picture));
   VORPIPE_VAR(opened, openedBy(command));
   options.viewer.opened = std::move(opened);
   options.viewer.settings.picture = command.picture.render;
@@ -237,9 +236,9 @@ void addWindowOptions(Options& options, ViewCommand& command) {
   addAnyFile(options, "--script", command.script, {".txt"},
              "does what stands in a file, an event to a line: move 640 360, press left, release left, scroll "
              "1, key e, resize 800 600, wait, screenshot FILE.png, close ...");
-  const Option record = addAnyFile(options, "--record", command.record, {".mp4"},
-                                   "what the window shows, as a film by ffmpeg, if that is on PATH, or in a "
-                                   "folder of frame-00001.png and so on");
+  const Option record = addFolder(options, "--record", command.record, StepsTo::folder_or_film,
+                                  "what the window shows, as a film by ffmpeg, if that is on PATH, or in a "
+                                  "folder of frame-00001.png and so on");
   Option screenshot = addFile(options, "--screenshot", command.screenshot, ".png",
                               "saves the picture that the window shows, and closes it");
   screenshot.excludes(record);
@@ -269,7 +268,7 @@ void addView(CommandLine& line) {
   addFluidOfView(options, *command);
   options.group("Picture");
   addColorOptions(options, command->picture.render);
-  addMarkOptions(options, command->picture);
+  addMarkOptions(options, command->picture, LabelsOf::indices);
   addWindowOptions(options, *command);
   addBackendChoice(options, command->backend);
   addSearchOptions(options, command->picture.render.search);

@@ -76,27 +76,59 @@ std::vector<const EdgesFormat*> formatsOf(const std::vector<EdgesTarget>& target
   return formats;
 }
 
+namespace {
+
+/// Whether a file has the neighbors of a cell as one text.
+bool haveLists(const CellsTargets& targets) {
+  return std::ranges::any_of(targets.cells, [](const CellsTarget& target) {
+    return target.format->extension == ".csv" || target.format->extension == ".gpkg";
+  });
+}
+
+}  // namespace
+
 std::optional<NeededAttribute> neededFor(const CellsTargets& targets) {
   if (targets.id.empty()) return std::nullopt;
-  const auto check = [](std::string_view name) -> tl::expected<void, std::string> {
+  const auto check = [in_lists =
+                          haveLists(targets)](std::string_view name) -> tl::expected<void, std::string> {
     constexpr std::array walls = {Wall::xmin, Wall::xmax, Wall::ymin, Wall::ymax, Wall::outline};
     const auto is = [name](Wall wall) { return nameOf(wall) == name; };
     if (std::ranges::any_of(walls, is))
       return tl::unexpected(fmt::format("{} is the name of a wall among neighbors", inQuotes(name)));
-    if (name.find(';') == std::string_view::npos) return {};
-    return tl::unexpected(fmt::format("{} has a semicolon, which separates neighbors", inQuotes(name)));
+    if (!in_lists || name.find(';') == std::string_view::npos) return {};
+    return tl::unexpected(
+        fmt::format("{} has a semicolon, which separates neighbors in .csv and .gpkg", inQuotes(name)));
   };
   return NeededAttribute{targets.id, check, /*unique=*/true};
 }
 
 Result<const Attribute*> namesOf(const CellsTargets& targets, std::span<const Attribute> attributes) {
   if (targets.id.empty()) return nullptr;
-  const auto found = std::ranges::find(attributes, targets.id, &Attribute::name);
-  if (found != attributes.end()) return &*found;
+  const Attribute* const found = findNamed(attributes, targets.id);
+  if (found != nullptr) return found;
   std::vector<std::string> names;
   for (const Attribute& attribute : attributes) names.push_back(inQuotes(attribute.name()));
   return inputError(fmt::format("--id: the sites have no attribute {}{}{}", inQuotes(targets.id),
                                 names.empty() ? "" : "; they have ", fmt::join(names, ", ")));
+}
+
+std::string noteOnGeoJson(const CellsTargets& targets, const CoordinateSystem& system) {
+  if (system.kind != CoordinateKind::plane) return {};
+  // Lines have no room for the name of a system.
+  const std::string_view nameless = geoJsonSystem(system).empty() ? ".geojson" : ".geojsonl";
+  std::string path;
+  const auto take = [&](const auto& of_kind) {
+    for (const auto& target : of_kind) {
+      if (path.empty() && target.format->extension.starts_with(nameless)) path = target.path;
+    }
+  };
+  take(targets.cells);
+  take(targets.edges);
+  take(targets.triangulation);
+  if (path.empty()) return path;
+  return path +
+         ": readers take the coordinates of GeoJSON for degrees, and these are of a plane; .gpkg says of "
+         "which";
 }
 
 bool CellsTargets::carryAttributes() const {
@@ -135,7 +167,7 @@ void addCellsTargets(Options& options, CellsTargets& targets) {
   addParsed(options, "--id", targets.id, "@NAME",
             "names sites by this attribute, which is another for each, where they are neighbors, owners and "
             "ends of edges [their numbers]",
-            parseAttribute, {{"@"}, {}});
+            parseAttributeWord, {{"@"}, {}});
   options.addFlag("--share", targets.share,
                   "adds each cell's share of the area of all, where files have attributes");
   options.addFlag(

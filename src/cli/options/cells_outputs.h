@@ -9,6 +9,7 @@
 
 #include "cli/options/command_line.h"
 #include "cli/options/parse.h"
+#include "io/base/coordinate_system.h"
 #include "io/cells/cells_file.h"
 #include "io/cells/edges_file.h"
 #include "io/sites/sites_file.h"
@@ -55,6 +56,10 @@ Result<const Attribute*> namesOf(const CellsTargets& targets, std::span<const At
 
 /// -o, --edges, --triangulation, --id, --share, --only-cells, --detail
 void addCellsTargets(Options& options, CellsTargets& targets);
+
+/// Returns a note that GeoJSON has coordinates of a plane without its name, which readers take for degrees;
+/// empty if it has not.
+std::string noteOnGeoJson(const CellsTargets& targets, const CoordinateSystem& system);
 
 /// Sets the format of standard output: the extension `kind` without its dot, or csv. Also rejects
 /// contradictions. Errors (input): the kind is no format of cells; standard output is named twice;

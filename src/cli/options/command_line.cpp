@@ -117,7 +117,7 @@ Option Options::addOptional(const std::string& name, Value value, const std::str
   auto* option = app_->add_option_function<std::string>(
       name, [given, keep = std::move(value.keep)](const std::string& text) { keep(given(text)); },
       description);
-  option->type_name(fmt::format("[{}]", value.name))->expected(0, 1);
+  option->type_name(value.name.empty() ? "" : fmt::format("[{}]", value.name))->expected(0, 1);
   option->check([given, fault = std::move(value.fault)](const std::string& text) {
     return given(text).empty() ? std::string() : fault(text);
   });

@@ -112,11 +112,11 @@ void addFluidTargets(Options& options, FluidTargets& targets) {
       "a row for each step, as soon as it is made: its time and length, energies, momentum, the worst area, "
       "the longest way of a site to its centroid in spacings, diagrams, and the seconds since the first; "
       "--resume goes on with it");
-  addAnyFile(options, "--frames", targets.frames, {".mp4"},
-             "an .mp4, made by ffmpeg, or an empty folder for numbered .png files: a picture every --every "
-             "steps");
-  addAnyFile(options, "--series", targets.series, {},
-             "a folder for ParaView: a .vtp file of the cells every --every steps, and series.pvd");
+  addFolder(options, "--frames", targets.frames, StepsTo::folder_or_film,
+            "an .mp4, made by ffmpeg, or an empty folder for numbered .png files: a picture every --every "
+            "steps");
+  addFolder(options, "--series", targets.series, StepsTo::folder,
+            "a folder for ParaView: a .vtp file of the cells every --every steps, and series.pvd");
   addParsed(options, "--every", targets.every, "K", "steps between pictures and files [10]",
             [](std::string_view text) { return parseWhole(text, 1, UINT32_MAX); });
 }

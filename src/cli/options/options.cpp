@@ -14,6 +14,7 @@
 #include "io/sites/outline_file.h"
 #include "io/sites/site_source.h"
 #include "io/sites/sites_file.h"
+#include "view/recorder.h"
 
 namespace vorpipe::cli {
 namespace {
@@ -176,6 +177,16 @@ Option addAnyFile(Options& options, const std::string& name, std::string& target
                   std::vector<std::string> usual, const std::string& description) {
   return addParsed(options, name, target, "FILE", description,
                    [](std::string_view text) { return parseFile(text, ""); }, {{}, std::move(usual)});
+}
+
+Option addFolder(Options& options, const std::string& name, std::string& target, StepsTo to,
+                 const std::string& description) {
+  const bool may_be_film = to == StepsTo::folder_or_film;
+  Choices choices;
+  if (may_be_film) choices.extensions.emplace_back(view::film_extension);
+  return addParsed(
+      options, name, target, may_be_film ? "FILE" : "FOLDER", description,
+      [to](std::string_view text) { return parseFolder(text, to); }, std::move(choices));
 }
 
 Option addReport(Options& options, const std::string& name, std::string& target,

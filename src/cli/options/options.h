@@ -62,6 +62,10 @@ Option addFile(Options& options, const std::string& name, std::string& target, c
 Option addAnyFile(Options& options, const std::string& name, std::string& target,
                   std::vector<std::string> usual, const std::string& description);
 
+/// The same for what takes the pictures or files of steps.
+Option addFolder(Options& options, const std::string& name, std::string& target, StepsTo to,
+                 const std::string& description);
+
 /// The same for a report in JSON; `-` stands for standard output.
 Option addReport(Options& options, const std::string& name, std::string& target,
                  const std::string& description);

@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <filesystem>
+#include <system_error>
 
 #include "base/option_names.h"
 #include "base/try.h"
@@ -16,6 +18,7 @@
 #include "io/base/quoted.h"
 #include "io/sites/outline_file.h"
 #include "io/sites/site_domain.h"
+#include "view/recorder.h"
 
 namespace vorpipe::cli {
 namespace {
@@ -196,13 +199,21 @@ Parsed<std::pair<std::string, std::uint64_t>> parseLimit(std::string_view text) 
 
 Parsed<ColorBy> parseColor(std::string_view text) { return valueIn<ColorBy>(text); }
 
+Parsed<Color> parseOpaqueColor(std::string_view text) {
+  const auto color = readColor(text);
+  if (color && color->isOpaque()) return *color;
+  if (color)
+    return bad(fmt::format("{} is not opaque, as #rgb, #rrggbb and names of CSS are", inQuotes(text)));
+  return bad(
+      fmt::format("{} is no color: neither #rgb, #rrggbb nor a name of CSS, as steelblue", inQuotes(text)));
+}
+
 Parsed<ColormapChoice> parseColormap(std::string_view text) {
   ColormapChoice choice;
   if (text.find(',') != std::string_view::npos || text.starts_with('#')) {
     for (const std::string_view part : split(text, ',')) {
-      const auto color = readColor(trimmed(part));
-      if (!color) return bad(color.error().message);
-      if (!color->isOpaque()) return bad(fmt::format("{} is not opaque", inQuotes(part)));
+      const auto color = parseOpaqueColor(trimmed(part));
+      if (!color) return bad(color.error());
       choice.colors.push_back(*color);
     }
     if (choice.colors.size() < 2) return bad("is one color, and takes two or more");
@@ -249,6 +260,10 @@ Parsed<std::string> parseAttribute(std::string_view text) {
   return tl::unexpected(fmt::format("{} is not @NAME, an attribute of the sites", inQuotes(text)));
 }
 
+Parsed<std::string> parseAttributeWord(std::string_view text) {
+  return text.starts_with('@') ? parseAttribute(text) : std::string(text);
+}
+
 Parsed<std::string> parseFile(std::string_view text, std::string_view extension) {
   if (text.empty() || text.starts_with('-'))
     return bad(fmt::format("{} is not the name of a file", inQuotes(text)));
@@ -256,6 +271,22 @@ Parsed<std::string> parseFile(std::string_view text, std::string_view extension)
   if (!extension.empty() && !found.empty() && found != extension)
     return bad(fmt::format("{} does not end in {}", inQuotes(text), extension));
   return std::string(text);
+}
+
+Parsed<std::string> parseFolder(std::string_view text, StepsTo to) {
+  constexpr std::array<std::string_view, 24> of_files{
+      ".apng", ".avi", ".bmp", ".gif", ".jpeg", ".jpg", ".m4v", ".mkv",  ".mov", ".mp4", ".mpeg", ".mpg",
+      ".npz",  ".ogv", ".pdf", ".png", ".pvd",  ".svg", ".tif", ".tiff", ".vtp", ".vtu", ".webm", ".webp"};
+  VORPIPE_VAR(path, parseFile(text, ""));
+  const std::string found = lowerExtension(path);
+  const bool may_be_film = to == StepsTo::folder_or_film;
+  if (may_be_film && found == view::film_extension) return path;
+  if (std::ranges::find(of_files, found) == of_files.end()) return path;
+  std::error_code none;
+  if (std::filesystem::is_directory(path, none)) return path;
+  if (!may_be_film) return bad(fmt::format("{} is the name of a file; name a folder", inQuotes(text)));
+  return bad(fmt::format("{} is the name of a file that is no film; name an {} or a folder", inQuotes(text),
+                         view::film_extension));
 }
 
 Parsed<FormatChoice> parseFormat(std::string_view text) {

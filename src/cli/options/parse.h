@@ -84,6 +84,9 @@ struct ColormapChoice {
   std::vector<Color> colors;
 };
 
+/// A color without transparency.
+Parsed<Color> parseOpaqueColor(std::string_view text);
+
 /// One of colormaps(), two or more colors with commas between them, or a file.
 Parsed<ColormapChoice> parseColormap(std::string_view text);
 
@@ -104,8 +107,18 @@ Parsed<std::vector<BackendDevice>> parseBackendDevices(std::string_view text);
 /// empty.
 Parsed<std::string> parseFile(std::string_view text, std::string_view extension);
 
+/// What pictures or files of steps go to.
+enum class StepsTo : std::uint8_t { folder, folder_or_film };
+
+/// Parses the name of a folder, or of a film, which ends in view::film_extension. The fault: it has the
+/// extension of a file, and no such folder is there.
+Parsed<std::string> parseFolder(std::string_view text, StepsTo to);
+
 /// Parses @NAME, an attribute of the sites; returns its name.
 Parsed<std::string> parseAttribute(std::string_view text);
+
+/// The same, where the name may also stand without the @.
+Parsed<std::string> parseAttributeWord(std::string_view text);
 
 /// The formats of standard input and output, as extensions without the dot; empty if not given.
 struct FormatChoice {

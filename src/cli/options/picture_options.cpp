@@ -41,6 +41,28 @@ Parsed<std::string> parseLabels(std::string_view text) {
   return text.empty() ? std::string() : parseAttribute(text);
 }
 
+/// What pictures cannot show of sites that are edited, or of a fluid's.
+tl::unexpected<std::string> ofSavedSites(std::string_view text, std::string_view instead) {
+  return tl::unexpected(
+      fmt::format("{} is for render, relax and transport; here {}", inQuotes(text), instead));
+}
+
+Parsed<bool> parseIndexLabels(std::string_view text) {
+  if (text.empty()) return true;
+  return ofSavedSites(text, "labels are indices");
+}
+
+Parsed<bool> parseLegendInside(std::string_view text) {
+  VORPIPE_LET(place, parseLegendPlace(text));
+  if (place == legend_places[0]) return true;
+  return ofSavedSites(text, "the legend is inside");
+}
+
+Parsed<ColorBy> parsePlainColor(std::string_view text) {
+  if (!text.starts_with('@') && !isPhotograph(text)) return parseColor(text);
+  return ofSavedSites(text, fmt::format("colors show {}", anyOf(colorNames())));
+}
+
 struct ColorChoice {
   ColorBy by = ColorBy::site;
   std::string attribute, photograph;
@@ -53,7 +75,10 @@ Parsed<ColorChoice> parseColorChoice(std::string_view text) {
     });
   }
   if (isPhotograph(text)) return ColorChoice{ColorBy::site, {}, std::string(text)};
-  return parseColor(text).map([](ColorBy by) { return ColorChoice{by, {}, {}}; });
+  const auto by = parseColor(text);
+  if (by) return ColorChoice{*by, {}, {}};
+  return tl::unexpected(
+      fmt::format("{}; nor @NAME, an attribute, nor a photograph, .png or .jpg", by.error()));
 }
 
 Parsed<ColorRange> parseColorRange(std::string_view text) {
@@ -190,13 +215,16 @@ void addColorOptions(Options& options, RenderOptions& picture) {
       options, "--color", picture.color, "BY",
       fmt::format("what colors show: {}; distinct: cells with a common edge differ, with few colors [site]",
                   anyOf(colorNames())),
-      parseColor, {colorNames(), {}});
+      parsePlainColor, {colorNames(), {}});
   addColormap(options, "", {}, parseListedColormap, [&picture](ColormapChoice choice) {
     picture.colormap = std::move(choice.name);
     picture.colors = std::move(choice.colors);
   });
   addScaleOptions(options, picture);
-  options.addFlag("--legend", picture.legend, "draws what the colors stand for into the lower left corner");
+  options.addOptional("--legend",
+                      parsedValue("inside", parseLegendInside,
+                                  [&picture](bool is_there) { picture.legend = is_there; }, {{"inside"}, {}}),
+                      "draws what the colors stand for into the lower left corner");
 }
 
 void addColorOptions(Options& options, PictureOptions& picture) {
@@ -229,11 +257,21 @@ void addColorOptions(Options& options, PictureOptions& picture) {
   addSheetOptions(options, picture.render);
 }
 
-void addMarkOptions(Options& options, PictureOptions& picture) {
+void addMarkOptions(Options& options, PictureOptions& picture, LabelsOf labels) {
   std::map<std::string_view, Option> flags;
   const auto keep_labels = [&picture](std::string attribute) {
     picture.render.labels = true;
     picture.label_attribute = std::move(attribute);
+  };
+  const auto addLabels = [&] {
+    if (labels == LabelsOf::attributes) {
+      return options.addOptional(
+          flagOf(labels_row), parsedValue("@NAME", parseLabels, keep_labels, {{"@"}, {}}), labels_row.help);
+    }
+    return options.addOptional(
+        flagOf(labels_row),
+        parsedValue("", parseIndexLabels, [&picture](bool drawn) { picture.render.labels = drawn; }, {}),
+        "writes the index of each site, counted from 0, into its cell where it has room");
   };
   const auto add = [&](const auto& row) {
     if constexpr (requires { row.of; }) {
@@ -241,8 +279,7 @@ void addMarkOptions(Options& options, PictureOptions& picture) {
       // CLI11 has no option that needs one of two others.
       if (row.of[0] != nullptr && row.of[1] == nullptr) option.needs(flags.at(row.of[0]->name));
     } else if (std::string_view(row.name) == labels_row.name) {
-      const Value value = parsedValue("@NAME", parseLabels, keep_labels, {{"@"}, {}});
-      flags.emplace(row.name, options.addOptional(flagOf(row), value, row.help));
+      flags.emplace(row.name, addLabels());
     } else {
       flags.emplace(row.name, addRow(options, row, picture.render, picture.given));
     }
@@ -326,12 +363,6 @@ PictureSize sizeOf(const PictureOptions& picture, const Box& shown) {
   if (size.paper && size.paper->height == 0) return sizeFor(shown, pixelsOf(size.paper->width, picture.dpi));
   if (size.paper) return sizeBefore(picture);
   return size.sides.value_or(size.longer_side > 0 ? sizeFor(shown, size.longer_side) : defaultSize(shown));
-}
-
-Result<void> checkLabels(const PictureOptions& picture) {
-  if (picture.label_attribute.empty()) return {};
-  return inputError(
-      fmt::format("--labels: @{} is an attribute, and these sites have none", picture.label_attribute));
 }
 
 void addPictureGroup(Options& options, PictureOptions& picture) {

@@ -1,6 +1,7 @@
 /// The options of pictures: size, colors, edges and dots.
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <set>
 #include <string_view>
@@ -56,10 +57,10 @@ void addColorOptions(Options& options, PictureOptions& picture);
 inline bool needsAttributes(const PictureOptions& picture) {
   return !picture.color_attribute.empty() || !picture.label_attribute.empty();
 }
-/// Error (input): labels are of an attribute, where sites have none.
-Result<void> checkLabels(const PictureOptions& picture);
+/// What --labels writes. Sites that are edited or flow have no attributes.
+enum class LabelsOf : std::uint8_t { attributes, indices };
 /// The options of picture_rows, and --no-fill.
-void addMarkOptions(Options& options, PictureOptions& picture);
+void addMarkOptions(Options& options, PictureOptions& picture, LabelsOf labels = LabelsOf::attributes);
 /// Error (input): a number is given that draws nothing without a flag.
 Result<void> checkMarks(const PictureOptions& picture);
 /// --map, --view-from

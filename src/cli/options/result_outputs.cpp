@@ -115,9 +115,8 @@ void addRelaxTargets(Options& options, ResultTargets& targets) {
       "also writes what -o, --cells and --picture name after each N diagrams, with the number of the diagram "
       "in the name: sites-0010.csv",
       [](std::string_view text) { return parseWhole(text, 1, UINT32_MAX); });
-  addAnyFile(
-      options, "--frames", targets.frames, {".mp4"},
-      "an .mp4, made by ffmpeg, or an empty folder for numbered .png files: a picture of each diagram");
+  addFolder(options, "--frames", targets.frames, StepsTo::folder_or_film,
+            "an .mp4, made by ffmpeg, or an empty folder for numbered .png files: a picture of each diagram");
 }
 
 Result<void> takeFormat(ResultTargets& targets, const InputOptions& input) {

@@ -46,7 +46,8 @@ Parsed<Number> parseOf(const NumberRow<Struct, Number>& row, std::string_view te
 }
 
 template <class Struct>
-Parsed<Color> parseOf(const ColorRow<Struct>& /*row*/, std::string_view text) {
+Parsed<Color> parseOf(const ColorRow<Struct>& row, std::string_view text) {
+  if (row.opaque) return parseOpaqueColor(text);
   return readColor(text).map_error([](Error error) { return std::move(error.message); });
 }
 

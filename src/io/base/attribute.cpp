@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "base/words.h"
 #include "io/base/number.h"
 
 namespace vorpipe {
@@ -22,6 +23,18 @@ bool hasValue(std::string_view number) {
 }
 
 }  // namespace
+
+const Attribute* findNamed(std::span<const Attribute> attributes, std::string_view name) {
+  const Attribute* found = nullptr;
+  std::size_t count = 0;
+  for (const Attribute& attribute : attributes) {
+    if (attribute.name() == name) return &attribute;
+    if (lowerCase(attribute.name()) != lowerCase(name)) continue;
+    found = &attribute;
+    ++count;
+  }
+  return count == 1 ? found : nullptr;
+}
 
 bool isJsonInteger(std::string_view text) {
   const std::string_view digits = text.substr(text.starts_with('-') ? 1 : 0);

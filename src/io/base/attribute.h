@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -58,6 +59,10 @@ class Attribute {
   std::vector<std::uint64_t>
       ends_;  ///< by site: twice the end of its value in text_, plus 1 if it is missing
 };
+
+/// Returns the attribute with this name, else the only one whose name differs in case alone; null if there is
+/// neither.
+const Attribute* findNamed(std::span<const Attribute> attributes, std::string_view name);
 
 /// Whether text is a JSON number; whether it is one that has no fraction or exponent and fits signed 64 bits.
 bool isJsonNumber(std::string_view text);

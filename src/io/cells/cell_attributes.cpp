@@ -132,16 +132,24 @@ std::string_view statusWord(Status status) {
   return status == Status::ok ? "ok" : status == Status::empty ? "empty" : "duplicate";
 }
 
+std::vector<std::int64_t> namedNeighbors(const Diagram& diagram, std::size_t site) {
+  const auto all = diagram.cell(site).neighbors();
+  std::vector<std::int64_t> named(all.begin(), all.end());
+  if (!diagram.neighbor_shifts.empty()) return named;
+  std::unordered_set<std::int64_t> met;
+  std::erase_if(named, [&](std::int64_t neighbor) { return !met.insert(neighbor).second; });
+  return named;
+}
+
 void printNeighbors(Bytes& text, const CellsOutput& output, std::size_t site) {
-  const auto neighbors = output.diagram.cell(site).neighbors();
-  const Attribute* const names = output.names;
-  join(text, neighbors.size(), names == nullptr ? " " : ";", [&](Bytes& out, std::size_t k) {
-    if (names == nullptr) {
-      print(out, FMT_COMPILE("{}"), neighbors[k]);
-    } else {
-      out.append(nameOfSite(*names, neighbors[k]));
-    }
-  });
+  if (output.names == nullptr) {
+    const auto neighbors = output.diagram.cell(site).neighbors();
+    return join(text, neighbors.size(), " ",
+                [&](Bytes& out, std::size_t k) { print(out, FMT_COMPILE("{}"), neighbors[k]); });
+  }
+  const auto neighbors = namedNeighbors(output.diagram, site);
+  join(text, neighbors.size(), ";",
+       [&](Bytes& out, std::size_t k) { out.append(nameOfSite(*output.names, neighbors[k])); });
 }
 
 void printJsonSite(Bytes& text, const Attribute* names, std::int64_t site) {

@@ -62,8 +62,12 @@ std::string_view nameOfSite(const Attribute& names, std::int64_t site);
 
 std::string_view statusWord(Status status);
 
-/// Appends the neighbors of a site, separated by spaces; named ones, which may have spaces, by semicolons,
-/// and walls by their names.
+/// Returns the neighbors of a site for a list of names: each once, however many edges it has; all if each
+/// edge has a shift.
+std::vector<std::int64_t> namedNeighbors(const Diagram& diagram, std::size_t site);
+
+/// Appends the neighbors of a site, separated by spaces; named ones, which may have spaces, each once by
+/// semicolons, and walls by their names.
 void printNeighbors(Bytes& text, const CellsOutput& output, std::size_t site);
 
 /// Appends a site or a wall as JSON: its number, or if sites are named its name.

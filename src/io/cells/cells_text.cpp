@@ -104,9 +104,15 @@ void printProperties(Bytes& text, const CellsOutput& output, std::span<const Add
     printJsonPoint(text, diagram.mass_centroid[site]);
   }
   text.append(std::string_view(R"(,"neighbors":)"));
-  const auto neighbors = diagram.cell(site).neighbors();
-  printList(text, json_list, neighbors.size(),
-            [&](Bytes& out, std::size_t k) { printJsonSite(out, output.names, neighbors[k]); });
+  const auto printNeighborList = [&](const auto& neighbors) {
+    printList(text, json_list, neighbors.size(),
+              [&](Bytes& out, std::size_t k) { printJsonSite(out, output.names, neighbors[k]); });
+  };
+  if (output.names == nullptr) {
+    printNeighborList(diagram.cell(site).neighbors());
+  } else {
+    printNeighborList(namedNeighbors(diagram, site));
+  }
   if (!diagram.neighbor_shifts.empty()) {
     text.append(std::string_view(R"(,"neighbor_shifts":)"));
     const auto shifts = diagram.cell(site).shifts();

@@ -95,6 +95,12 @@ void printHead(Bytes& text, const VectorPicture& picture) {
 }
 
 /// Begins a group, a layer of Inkscape's, up to its other attributes; `clip` names a path that clips it.
+void printEscaped(Bytes& text, std::string_view words) {
+  for (const char letter : words) {
+    put(text, letter == '<' ? "&lt;" : letter == '&' ? "&amp;" : std::string_view(&letter, 1));
+  }
+}
+
 void beginLayer(Bytes& text, std::string_view name, std::string_view clip = {}) {
   print(text, FMT_COMPILE("<g id=\"{0}\" inkscape:groupmode=\"layer\" inkscape:label=\"{0}\""), name);
   if (clip.empty()) return;
@@ -127,7 +133,12 @@ Result<void> writeCells(ByteSink& sink, Bytes& text, const VectorPicture& pictur
     }
     put(text, " d=\"");
     printLines(text, rings, "Z");
-    print(text, FMT_COMPILE("\"><title>site {}, area {}</title></path>\n"), site, diagram.area[site]);
+    put(text, "\"><title>");
+    if (hasNames(picture.options()) && !picture.options().texts[site].empty()) {
+      printEscaped(text, picture.options().texts[site]);
+      put(text, ", ");
+    }
+    print(text, FMT_COMPILE("site {}, area {}</title></path>\n"), site, diagram.area[site]);
     return writeIfFull(sink, text);
   });
   put(text, "</g>\n");
@@ -230,9 +241,7 @@ void printText(Bytes& text, const LegendText& line) {
     printLength(text, "stroke-width", 2 * halo_part * line.height);
   }
   print(text, FMT_COMPILE(" text-anchor=\"{}\">"), anchors[static_cast<std::size_t>(line.anchor)]);
-  for (const char letter : line.text) {
-    put(text, letter == '<' ? "&lt;" : letter == '&' ? "&amp;" : std::string_view(&letter, 1));
-  }
+  printEscaped(text, line.text);
   put(text, "</text>\n");
 }
 

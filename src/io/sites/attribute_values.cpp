@@ -91,19 +91,18 @@ SiteValues numbersOf(const Attribute& attribute) {
 }  // namespace
 
 Result<const Attribute*> attributeNamed(std::span<const Attribute> attributes, std::string_view name) {
-  const auto has_name = [&](const Attribute& attribute) { return attribute.name() == name; };
-  const auto found = std::ranges::find_if(attributes, has_name);
-  if (found == attributes.end()) {
+  const Attribute* const found = findNamed(attributes, name);
+  if (found == nullptr) {
     std::vector<std::string> known;
     for (const Attribute& attribute : attributes) known.push_back(attribute.name());
     return inputError(fmt::format(
         "there is no attribute {}; {}", inQuotes(name),
         known.empty() ? "the sites have none" : fmt::format("known are {}", fmt::join(known, ", "))));
   }
-  if (std::ranges::count_if(attributes, has_name) > 1) {
+  if (std::ranges::count(attributes, found->name(), &Attribute::name) > 1) {
     return inputError(fmt::format("there are several attributes {}", inQuotes(name)));
   }
-  return &*found;
+  return found;
 }
 
 Result<SiteValues> valuesOf(const Attribute& attribute) {

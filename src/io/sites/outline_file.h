@@ -42,10 +42,11 @@ struct NamedOutlines {
   Attribute names;                ///< by part
   std::vector<Outline> outlines;  ///< by part
   std::uint64_t same = 0;         ///< features that have the name of one before them
+  std::uint64_t empty = 0;        ///< features without polygons, which are left out
 };
 
 /// Returns the features that have polygons, in their order; those of one name are one part, and so are those
-/// without a name. Error (input): there is no attribute of that name.
+/// without a name. Error (input): there is no such attribute.
 Result<NamedOutlines> outlinesBy(const OutlineFile& file, const std::string& name);
 
 }  // namespace vorpipe

@@ -30,18 +30,21 @@ void addPolygons(const Outline& from, std::uint64_t begin, std::uint64_t end, Ou
 }  // namespace
 
 Result<NamedOutlines> outlinesBy(const OutlineFile& file, const std::string& name) {
-  const auto named = std::ranges::find(file.attributes, name, &Attribute::name);
-  if (named == file.attributes.end()) {
+  const Attribute* const named = findNamed(file.attributes, name);
+  if (named == nullptr) {
     std::vector<std::string> names;
     for (const Attribute& attribute : file.attributes) names.push_back(inQuotes(attribute.name()));
     return inputError(fmt::format("its features have no attribute {}{}{}", inQuotes(name),
                                   names.empty() ? "" : "; they have ", fmt::join(names, ", ")));
   }
-  NamedOutlines parts{Attribute(name, named->type()), {}, 0};
+  NamedOutlines parts{Attribute(named->name(), named->type()), {}, 0, 0};
   std::map<std::optional<std::string_view>, std::size_t> part_of;
   for (std::size_t f = 0; f < named->size(); ++f) {
     const std::uint64_t begin = file.feature_polygons[f], end = file.feature_polygons[f + 1];
-    if (begin == end) continue;
+    if (begin == end) {
+      ++parts.empty;
+      continue;
+    }
     const auto value = named->at(f);
     const auto [part, added] = part_of.try_emplace(value, parts.outlines.size());
     if (added) {

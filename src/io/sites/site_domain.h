@@ -48,7 +48,8 @@ struct DomainWords {
               project = "project", project_amid = "a projection", project_around = "a center",
               globe = "globe", periodic = "periodic", density = "density", density_box = "a density box",
               crs = "crs",
-              beyond = "it is 0 elsewhere";  ///< what is where a density has no pixels
+              beyond = "it is 0 elsewhere",  ///< what is where a density has no pixels
+      transform = "ogr2ogr -t_srs {}";       ///< what takes a file to the system {}
 };
 
 /// Source of sites.

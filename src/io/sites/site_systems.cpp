@@ -2,6 +2,7 @@
 
 #include <fmt/core.h>
 
+#include <cstdint>
 #include <string_view>
 #include <utility>
 
@@ -38,6 +39,11 @@ bool mayBeIn(CoordinateSystem system, const PlacedSites& placed) {
 Result<void> takeNamed(const DomainSettings& settings, PlacedSites& placed, const DomainWords& words) {
   if (!settings.crs) return {};
   const CoordinateSystem& named = *settings.crs;
+  constexpr std::int64_t least = 1024, most = 32767;
+  if (named.organization == "EPSG" && (named.code < least || named.code > most)) {
+    placed.notes.push_back(
+        fmt::format("{}: {} is no code of EPSG, which are {} to {}", words.crs, nameOf(named), least, most));
+  }
   const auto agrees = [&](const CoordinateSystem& theirs, const std::string& name) -> Result<void> {
     const std::string both =
         fmt::format("{}: {} is named, and {} is in {}", words.crs, nameOf(named), name, nameOf(theirs));
@@ -55,6 +61,10 @@ Result<void> takeNamed(const DomainSettings& settings, PlacedSites& placed, cons
   return {};
 }
 
+std::string transformTo(const std::string& system, const DomainWords& words) {
+  return fmt::format(fmt::runtime(words.transform), system);
+}
+
 /// Refuses sites and an outline in different systems.
 Result<void> compareSystems(const DomainSettings& settings, PlacedSites& placed, const DomainWords& words) {
   const CoordinateSystem &its = settings.outline_system, &of_sites = placed.system;
@@ -62,11 +72,11 @@ Result<void> compareSystems(const DomainSettings& settings, PlacedSites& placed,
                                        nameOf(its), words.sites, nameOf(of_sites));
   if (!differ(its, of_sites, both, placed)) return {};
   if (settings.project) {
-    return inputError(fmt::format("{}; {} takes both in degrees, as ogr2ogr -t_srs EPSG:4326 makes them",
-                                  both, words.project));
+    return inputError(fmt::format("{}; {} takes both in degrees, as {} makes them", both, words.project,
+                                  transformTo("EPSG:4326", words)));
   }
-  return inputError(fmt::format("{}; take one to the system of the other, as ogr2ogr -t_srs {} does", both,
-                                hasName(of_sites) ? nameOf(of_sites) : "EPSG:4326"));
+  return inputError(fmt::format("{}; take one to the system of the other, as {} does", both,
+                                transformTo(hasName(of_sites) ? nameOf(of_sites) : "EPSG:4326", words)));
 }
 
 /// Gives sites without a system that of the outline, unless they are to be projected: projectSites() does it

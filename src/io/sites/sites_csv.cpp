@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "base/try.h"
+#include "base/words.h"
 #include "io/base/csv_reader.h"
 #include "io/base/error.h"
 #include "io/base/number.h"
@@ -114,7 +115,10 @@ class CsvSites {
       if (names_[k].empty()) names_[k] = fmt::format("column_{}", k + 1);
       if (columns_.has(k)) continue;
       attributes_.push_back({k, table_.attributes().newColumn(names_[k])});
-      if (options_.needed && names_[k] == options_.needed->name) needed_ = k;
+      if (options_.needed && lowerCase(names_[k]) == lowerCase(options_.needed->name) &&
+          names_[needed_] != options_.needed->name) {
+        needed_ = k;
+      }
     }
     const bool plain = columns_.x && columns_.y && !columns_.weight && !options_.needed;
     are_pairs_ = plain && names_.size() == 2 && csv_.separator() == ',';

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 
+#include "base/words.h"
 #include "io/base/field_text.h"
 #include "io/base/input_file.h"
 #include "io/base/number.h"
@@ -79,6 +80,18 @@ std::optional<std::string_view> AttributeColumns::rowValue(std::string_view name
   if (named == by_name_.end()) return std::nullopt;
   const auto value = std::ranges::find(row_, named->second.column, &Value::column);
   return value == row_.end() ? std::nullopt : std::optional(textOf(*value));
+}
+
+std::string AttributeColumns::nameLike(std::string_view name) const {
+  std::string only(name);
+  if (has(name)) return only;
+  std::size_t count = 0;
+  for (const auto& [other, column] : by_name_) {
+    if (lowerCase(other) != lowerCase(name)) continue;
+    only = other;
+    ++count;
+  }
+  return count == 1 ? only : std::string(name);
 }
 
 void AttributeColumns::endRow(std::size_t sites) {
@@ -162,6 +175,7 @@ RowProblem TableBuilder::addRow(std::span<const Point> points, std::optional<dou
     if (!skip_missing_) return "has a weight, and those before it have none";
     leaveOutRows();
   }
+  if (needed_ && !has_needed_) needed_->name = attributes_.nameLike(needed_->name);
   if (needed_ && attributes_.has(needed_->name)) {
     if (!std::exchange(has_needed_, true) && rows_ > 0) {
       if (!skip_missing_)

@@ -40,6 +40,8 @@ class AttributeColumns {
   /// Returns a value of the current row, until the row ends; none if it is missing.
   [[nodiscard]] std::optional<std::string_view> rowValue(std::string_view name) const;
   [[nodiscard]] bool has(std::string_view name) const { return by_name_.contains(name); }
+  /// Returns the name of a column: this one, else the only one that differs in case alone, else `name`.
+  [[nodiscard]] std::string nameLike(std::string_view name) const;
 
   /// Ends the row, which applies to `sites` sites; 0 leaves it out.
   void endRow(std::size_t sites = 1);

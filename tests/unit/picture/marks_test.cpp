@@ -9,6 +9,7 @@
 #include "picture/draw_marks.h"
 #include "picture/font.h"
 #include "unit/fixtures/checked_runs.h"
+#include "vorpipe/label_room.h"
 #include "vorpipe/shapes.h"
 
 namespace vorpipe::test {
@@ -286,6 +287,17 @@ TEST(Labels, NamesWithoutRoomStandBesideTheirDots) {
   ASSERT_TRUE(found);
   EXPECT_EQ(found->dots.size(), sites.size());
   EXPECT_GT(found->labels.size(), inside->labels.size());
+  // Half of the cells have a name.
+  const Diagram cells = polygonsOf(sites, options);
+  for (const SiteLabels& labels : {*inside, *found}) {
+    EXPECT_EQ(noteOnRoom(cells, options, labels), "labels: " + std::to_string(100 - labels.labels.size()) +
+                                                      " names have no room, and are left out");
+  }
+  options.texts.assign(sites.size(), "");
+  EXPECT_EQ(noteOnRoom(cells, options, {}), "");
+  options.texts[7] = "Long name";
+  EXPECT_EQ(noteOnRoom(cells, options, {}), "labels: 1 name has no room, and is left out");
+  for (std::size_t i = 0; i < sites.size(); ++i) options.texts[i] = i % 2 == 0 ? "Long name" : "";
   EXPECT_GT(std::ranges::count_if(found->labels, &SiteLabel::beyond), 5);
   const auto gap = [&](const SiteLabel& label, Point at) {
     return std::max(std::abs(at.x - label.middle.x) - label.width / 2,

@@ -194,6 +194,8 @@ TEST_F(OutlineFile, itsFeaturesArePartsByName) {
   EXPECT_EQ(parts->names.at(0), "a");
   EXPECT_EQ(parts->names.at(1), std::nullopt);
   EXPECT_EQ(parts->same, 1u);
+  EXPECT_EQ(parts->empty, 1u);
+  EXPECT_EQ(outlinesBy(*read, "NAME")->names.name(), "name");
   EXPECT_EQ(parts->outlines[0].polygon_offsets, (Offsets{0, 1, 2}));
   EXPECT_EQ(parts->outlines[0].ring_offsets, (Offsets{0, 3, 6}));
   EXPECT_EQ(parts->outlines[0].points[3], (Point{4, 0}));
