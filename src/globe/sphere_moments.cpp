@@ -137,12 +137,12 @@ SphereMoments momentsOf(const SphereSites& sites, const SphereCells& cells, std:
 double leastEnergyOnSphere(std::size_t count) {
   constexpr double pi = std::numbers::pi;
   // One site has the whole sphere, two have a half each: integrals of 2 - 2 x . p.
-  if (count <= 2) return count == 1 ? 8 * std::numbers::pi : 4 * std::numbers::pi;
+  if (count <= 2) return count == 1 ? 8 * pi : 4 * pi;
   const auto n = static_cast<double>(count);
   // An equilateral triangle of the area of 1 / (2 n - 4) sphere, in six from its middle: one has a corner at
-  // the site, with an angle of std::numbers::pi / 6 + excess, a right one at the middle of a side, and one of
-  // std::numbers::pi / 3.
-  const double excess = std::numbers::pi / (3 * (n - 2)), angle = std::numbers::pi / 6 + excess,
+  // the site, with an angle of pi / 6 + excess, a right one at the middle of a side, and one of
+  // pi / 3.
+  const double excess = pi / (3 * (n - 2)), angle = pi / 6 + excess,
                sine = std::sin(excess);
   const double tangent = std::sqrt(2 * sine * sine + std::sqrt(3.0) * std::sin(2 * excess));
   const double side = std::atan(tangent), far = std::atan2(tangent, std::cos(angle));
