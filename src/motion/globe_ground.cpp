@@ -163,8 +163,8 @@ void GlobeGround::measureSite(const core::SphereSites& sites, std::size_t i, Mea
                               Part& part) const {
   const core::SphereMoments& of_cell = cells_[i];
   const double mass = of_cell.mass;
-  part.cells += moments_.status[i] == Status::ok ? 1 : 0;
-  part.duplicates += moments_.status[i] == Status::duplicate ? 1 : 0;
+  part.cells += moments_.status[i] == Status::ok ? 1U : 0U;
+  part.duplicates += moments_.status[i] == Status::duplicate ? 1U : 0U;
   if (!(mass > 0)) {
     ++part.lost;
     return;
