@@ -53,9 +53,12 @@ FluidSetup namedSetup(const std::string& name, std::uint64_t parcels,
                       const std::optional<OutlineArrays>& outline, bool repair) {
   const auto named = fluidCaseOf(name);
   if (named && outline) {
-    return valueOf(mended(outlineOf(*outline), repair).and_then([&](const MendedOutline& walls) {
-      return fluidCase(*named, parcels, walls.outline);
-    }));
+    auto setup =
+        mended(outlineOf(*outline), repair).and_then([&](const MendedOutline& walls) -> Result<FluidSetup> {
+          return fluidCase(*named, parcels, walls.outline);
+        });
+    if (!setup && setup.error().code == ErrorCode::input) raiseInput("domain", setup.error().message);
+    return valueOf(std::move(setup));
   }
   if (named) return fluidCase(*named, parcels);
   if (lowerExtension(name) == ".npz") return valueOf(readFluid(name));

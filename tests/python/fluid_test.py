@@ -78,7 +78,7 @@ def test_walls_are_outlines(tmp_path):
 
 
 def test_a_case_begins_in_an_outline_as_on_the_command_line():
-    shapely = pytest.importorskip('shapely')
+    shapely = pytest.importorskip('shapely.geometry')
     inside = shapely.Point(0.5, 0.5).buffer(0.4)
     fluid = vorpipe.Fluid('taylor-green', parcels=100, domain=inside)
     assert fluid.volumes.sum() == pytest.approx(inside.area, rel=1e-6) and len(fluid.outline) == 1
