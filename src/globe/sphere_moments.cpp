@@ -142,8 +142,7 @@ double leastEnergyOnSphere(std::size_t count) {
   // An equilateral triangle of the area of 1 / (2 n - 4) sphere, in six from its middle: one has a corner at
   // the site, with an angle of pi / 6 + excess, a right one at the middle of a side, and one of
   // pi / 3.
-  const double excess = pi / (3 * (n - 2)), angle = pi / 6 + excess,
-               sine = std::sin(excess);
+  const double excess = pi / (3 * (n - 2)), angle = pi / 6 + excess, sine = std::sin(excess);
   const double tangent = std::sqrt(2 * sine * sine + std::sqrt(3.0) * std::sin(2 * excess));
   const double side = std::atan(tangent), far = std::atan2(tangent, std::cos(angle));
   const Direction site{0, 0, 1}, foot{std::sin(side), 0, std::cos(side)};
