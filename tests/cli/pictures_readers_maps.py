@@ -167,7 +167,7 @@ def names_leave_small_cells(maps):
                "--color", "distinct", "--dot-size", "12", "--view", "0,0,1.61,1"]
     maps.render(*options, "-o", "p.png", "-o", "p.svg", "-o", "p.pdf", "--ids", "p.npy")
     png, ids = maps.read_png("p.png"), np.load("p.npy")
-    assert ids[100, 203] == NO_SITE and png[100, 203].min() > 250, f"the dot at the rim is cut: {png[100, 203]}"
+    assert ids[100, 202] == NO_SITE and png[100, 202].min() > 250, f"the dot at the rim is cut: {png[100, 202]}"
     text = {element.text: element for element in elements_of("p.svg", "text")}["Harbour"]
     middle = float(text.get("x")), float(text.get("y")) - 5
     assert abs(middle[0] - 199) > 20 or abs(middle[1] - 100) > 10, f"the name covers its dot: {middle}"
