@@ -273,7 +273,11 @@ for _ in $(seq 100); do
 done
 [ "$colors" -gt 6 ] || fail "there is no line of help: $colors colors"
 # Each of four squares has its color; with their sites there are white and black as well.
-[ "$(shown 365 15 835 400)" -ge 6 ] || fail "there are no sites"
+for _ in $(seq 100); do
+  colors=$(shown 365 15 835 400) && [ "$colors" -ge 6 ] && break
+  sleep 0.1
+done
+[ "$colors" -ge 6 ] || fail "there are no sites: $colors colors"
 for _ in $(seq 150); do
   colors=$(shown 420 475 780 490) && [ "$colors" -le 6 ] && break
   sleep 0.1
