@@ -242,6 +242,9 @@ def same_for_all(maps):
     maps.render(*SITES, "--ids", "b.npy")
     done = subprocess.run([maps.vorpipe, "diff", "a.npy", "b.npy", *SITES], check=False, capture_output=True, encoding="utf-8")
     assert done.returncode == 0, done.stderr
+    for option, wanted in ((["--globe"], "--sites"), (["--map", "equal-earth"], "--map: is for --globe")):
+        done = subprocess.run([maps.vorpipe, "diff", "a.npy", "b.npy", *option], check=False, capture_output=True, encoding="utf-8")
+        assert done.returncode == 2 and wanted in done.stderr, done.stderr
 
 
 GLOBE_CHECKS = [pixels_have_their_sites, middle_is_the_nearest, shapes_are_cells, shapes_are_pixels, systems_are_those_of_maps,

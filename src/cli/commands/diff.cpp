@@ -173,6 +173,9 @@ Result<void> checkKinds(const DiffCommand& command) {
   if (!ids && !command.input.sites.empty()) {
     return inputError("--sites: tells ties only in .npy id arrays, not in pictures");
   }
+  if (command.input.sites.empty()) {
+    VORPIPE_TRY(checkMap(command.picture, /*globe=*/false));
+  }
   if (ids && command.max_difference) {
     return inputError("--max-difference: ids have no channels; a number of pixels is --max-pixels");
   }
@@ -244,7 +247,7 @@ void addDiff(CommandLine& line) {
   const Option sites = addInputOptions(options, command->input);
   addFitOption(options, command->picture.fit).needs(sites);
   addViewOption(options, command->picture.render.view).needs(sites);
-  addGlobe(options, command->input);
+  addGlobe(options, command->input).needs(sites);
   addMapOptions(options, command->picture);
   addTalkOptions(options, command->talk);
 }

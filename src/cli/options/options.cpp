@@ -223,9 +223,9 @@ Option addInputOptions(Options& options, InputOptions& input) {
   return sites;
 }
 
-void addGlobe(Options& options, InputOptions& input) {
+Option addGlobe(Options& options, InputOptions& input) {
   options.group("Domain");
-  options.addFlag(
+  return options.addFlag(
       "--globe", input.globe,
       "sites are degrees of longitude and latitude of the whole Earth, and cells are those on the "
       "sphere; areas in square kilometers on the ellipsoid, lengths in kilometers");

@@ -99,7 +99,7 @@ struct TalkOptions {
 /// --periodic
 Option addInputOptions(Options& options, InputOptions& input);
 /// --globe
-void addGlobe(Options& options, InputOptions& input);
+Option addGlobe(Options& options, InputOptions& input);
 /// --device
 void addDeviceChoice(Options& options, BackendOptions& backend);
 /// --backend, --device
