@@ -22,13 +22,8 @@ constexpr double some_part = 0.375;  // of an edge
 /// edge get the same points.
 template <class Add>
 void forEachPiece(const GreatArc& arc, double longest, const Add& add) {
-  const bool forward = arc.begin == arc.end ? arc.axis < -arc.axis : arc.begin < arc.end;
-  const GreatArc back{arc.end, arc.begin, -arc.axis, arc.angle};
   const auto pieces = std::max(1, static_cast<int>(std::ceil(arc.angle / (longest * degree))));
-  for (int k = 1; k < pieces; ++k) {
-    const double part = static_cast<double>(forward ? k : pieces - k) / pieces;
-    add(pointOn(forward ? arc : back, part));
-  }
+  for (int k = 1; k < pieces; ++k) add(pieceEnd(arc, k, pieces));
   add(arc.end);
 }
 

@@ -3,6 +3,7 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <numbers>
 
@@ -53,7 +54,7 @@ class Rows {
         joined_(mesh.triangles.size()) {}
 
   Result<SphereCells> run(std::size_t sites, bool has_places) {
-    findCenters();
+    VORPIPE_TRY(findCenters());
     each(mesh_.triangles.size(), [this](std::uint32_t t) { joinTies(t); });
     settleCenters();
     SphereCells cells;
@@ -89,10 +90,17 @@ class Rows {
     return ordered;
   }
 
-  void findCenters() {
+  Result<void> findCenters() {
     centers_.resize(mesh_.triangles.size());
     each(centers_.size(),
          [this](std::uint32_t t) { centers_[t] = centerOf(sites_, mesh_.triangles[t].corner); });
+    const auto lost = std::ranges::find_if(
+        centers_, [](const Center& center) { return !std::isfinite(lengthOf(center.at)); });
+    if (lost == centers_.end()) return {};
+    const auto& corner = mesh_.triangles[static_cast<std::size_t>(lost - centers_.begin())].corner;
+    return tl::unexpected(refusalOf(
+        Subject::sites, fmt::format("site {} is so near to others that rounding leaves no vertex to them",
+                                    mesh_.site[static_cast<std::size_t>(corner[0])])));
   }
 
   /// Joins a triangle with those across its edges that are ties, and of higher numbers.

@@ -42,4 +42,11 @@ GreatArc arcBetween(const Direction& site, const Direction& neighbor, const Dire
 /// The place of an arc at a fraction of its length.
 Direction pointOn(const GreatArc& arc, double fraction);
 
+/// The end of one of an arc's pieces: the same point in both cells that have the arc.
+inline Direction pieceEnd(const GreatArc& arc, int piece, int pieces) {
+  const bool is_forward = arc.begin == arc.end ? arc.axis < -arc.axis : arc.begin < arc.end;
+  if (is_forward) return pointOn(arc, static_cast<double>(piece) / pieces);
+  return pointOn({arc.end, arc.begin, -arc.axis, arc.angle}, static_cast<double>(pieces - piece) / pieces);
+}
+
 }  // namespace vorpipe::core

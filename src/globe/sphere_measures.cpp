@@ -99,7 +99,7 @@ class Sums {
     const int pieces = static_cast<int>(std::ceil(arc.angle / longest_arc));
     Direction last = arc.begin;
     for (int k = 1; k <= pieces; ++k) {
-      const Direction here = k == pieces ? arc.end : pointOn(arc, static_cast<double>(k) / pieces);
+      const Direction here = k == pieces ? arc.end : pieceEnd(arc, k, pieces);
       add(last, here);
       last = here;
     }
