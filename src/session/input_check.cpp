@@ -87,10 +87,6 @@ Result<void> checkGlobe(const Sites& sites, const CellsOptions& options) {
   if (!options.density.values.empty()) {
     return tl::unexpected(refusalOf(Subject::density, "is for a plane, not for the globe"));
   }
-  if (options.search.method == Search::flann) {
-    return tl::unexpected(
-        refusalOf(Subject::search, "FLANN is for a plane, not for the globe; take the grid"));
-  }
   return {};
 }
 

@@ -579,7 +579,7 @@ printf 'name,lon,lat\nA,10,50\nB,190,-20\nC,-70,85\nD,100,-80\n' >in/four.csv
 notes "names of neighbors" "are taken as x, y" $earth --sites in/four.csv --id @name --share -o out/four.csv
 cut -d, -f11- out/four.csv | grep -q '^"B;.*,0\..*,A$' || fail "no names, share or attribute"
 # Ends of edges are vertices, and lines are cut at 180 degrees.
-notes "lines of few cells" "" $earth --quiet --sites in/four.csv --edges out/e.csv --edges out/e.geojson --edges out/e.vtp --edges out/e.wkt
+succeeds "lines of few cells" $earth --quiet --sites in/four.csv --edges out/e.csv --edges out/e.geojson --edges out/e.vtp --edges out/e.wkt
 [ "$(wc -l <out/e.csv)" -eq 7 ] || fail "not six edges"
 grep -q MULTILINESTRING out/e.wkt && grep -q '"MultiLineString"' out/e.geojson || fail "no line is cut"
 succeeds "a pattern" $earth --sites random:50000 --detail measures -o out/measures.npz --stats out/s.json
@@ -588,10 +588,10 @@ grep -q '"tiles"' out/s.json && fail "measures of the globe in tiles of a plane"
 for option in "--project auto" "--domain hull"; do
   fails 2 "$option" "--globe: is without" $earth --sites in/three.csv $option -o out/old.csv
 done
-fails 2 "meters" "in/plane.csv" $earth --sites in/plane.csv -o out/old.csv
+fails 2 "meters" "no place on the Earth" $earth --sites in/plane.csv -o out/old.csv
 fails 2 "no place" "site 1" $earth --sites in/bad.csv -o out/old.csv
 fails 2 "a heavy site" "below a quarter of the Earth, 10008 km" $earth --sites random:9 --random-weights 2e8,3e8 -o out/old.csv
-fails 2 "FLANN" "--search: FLANN is for a plane" $earth --sites random:9 --search flann -o out/old.csv
+fails 2 "FLANN" "--search: FLANN finds neighbors in a plane, not on the globe" $earth --sites random:9 --search flann -o out/old.csv
 fails 2 "a free surface" "--surface" $earth --sites random:9 --random-weights 1,2 --surface free -o out/old.csv
 fails 2 "a density" "--density" $earth --sites random:9 --density in/map.png -o out/old.csv
 

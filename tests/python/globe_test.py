@@ -111,7 +111,7 @@ def test_weights_are_squared_radii_in_kilometers():
 
 
 @pytest.mark.parametrize('arguments, message', [
-    ({'project': 'auto'}, '^globe: is '), ({'margin': 1}, '^(globe|margin): '), ({'search': 'flann'}, 'not for the globe'),
+    ({'project': 'auto'}, '^globe: is '), ({'margin': 1}, '^(globe|margin): '), ({'search': 'flann'}, 'not on the globe'),
     ({'density': np.ones((2, 2))}, 'not for the globe'), ({'surface': 'free', 'weights': [1, 1]}, '^surface: ')])
 def test_what_is_of_a_plane_is_refused(arguments, message):
     with pytest.raises(vorpipe.InputError, match=message):

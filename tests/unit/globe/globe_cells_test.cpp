@@ -111,7 +111,7 @@ TEST(GlobeCells, RefuseWhatIsNoPlace) {
   EXPECT_THAT(refused({{0, 0}, {0, 1}, {0, 1.01e8}}), testing::HasSubstr("site 1: weight 101000000"));
   CellsOptions flann = ofGlobe();
   flann.search.method = Search::flann;
-  EXPECT_THAT(refused({{0}, {0}, {}}, flann), testing::HasSubstr("not for the globe"));
+  EXPECT_THAT(refused({{0}, {0}, {}}, flann), testing::HasSubstr("not on the globe"));
   CellsOptions stopped = ofGlobe();
   stopped.progress = [](std::string_view, double part) { return part < 0.5; };
   EXPECT_THAT(refused(randomOnGlobe(100, 1), stopped), testing::HasSubstr("interrupted"));

@@ -171,7 +171,8 @@ TEST_F(SitesFile, LoadSitesRefusesNumbersOfSites) {
 TEST_F(SitesFile, LoadSitesExplainsOtherNames) {
   EXPECT_EQ(loadSites("hex", 1).error().message, "hex: a generator needs a number of sites, as in hex:1000");
   EXPECT_EQ(loadSites("randm:5", 1).error().message,
-            "randm:5: is neither a file nor a generator (random, square, hex, jitter, clusters, circle)");
+            "randm:5: is neither a file nor a generator (random, square, hex, jitter, clusters, circle; "
+            "icosahedral, fibonacci with --globe)");
   EXPECT_THAT(loadSites("./random:5", 1).error().message, HasSubstr("is neither a file"));
 }
 
