@@ -39,8 +39,8 @@ def input_of(points: Any, weights: Any, domain: _vorpipe.Domain, periodic: Union
 def taken_of(points: Any, weights: Any, domain: Any, options: Mapping[str, Any]) -> Tuple[Given, _vorpipe.Input]:
     """What is given for points, and the input of a run with these options."""
     found = given(points)
-    wanted = _arguments.domain_of(domain, *(options[name] for name in ('margin', 'repair', 'project', 'domain_layer')),
-                                  globe=options.get('globe', False))
+    wanted = _arguments.domain_of(domain, options['margin'], options['repair'], options['project'],
+                                  options['domain_layer'], options.get('globe', False))
     return found, input_of(found, weights, wanted, options['periodic'], options.get('density'),
                            options.get('attributes'), options['crs'], options.get('surface'),
                            options.get('density_box'))

@@ -196,7 +196,7 @@ def _places_of(geometries: Any) -> Tuple[_arguments.Floats, List[int]]:
     counts: List[int] = []
     labels = getattr(geometries, 'index', None)
     for row, geometry in enumerate(geometries):
-        label = labels[row] if hasattr(labels, 'take') else row
+        label = row if labels is None or not hasattr(labels, 'take') else labels[row]
         found = [] if _attributes.is_missing(geometry) else _points_in(geometry, label)
         if not found:
             raise refuse('points', f'geometry {label!r} has no place; leave such rows out')

@@ -244,7 +244,10 @@ fi
 # -- What is offered is taken ---------------------------------------------------------------------------
 # Words and kinds of files stand in one place for help and completions, but not all of them where they are read.
 for sites in $( (offered_bash "vorpipe cells --sites ") | grep ':$'); do
-  succeeds "sites ${sites}9" cells --backend cpu --sites "${sites}9" --check
+  case $sites in
+    icosahedral: | fibonacci:) succeeds "sites ${sites}12" cells --globe --backend cpu --sites "${sites}12" --check ;;
+    *) succeeds "sites ${sites}9" cells --backend cpu --sites "${sites}9" --check ;;
+  esac
 done
 for option in --sites --domain --weights --density; do
   extensions=$(sed -n "s/.*'cells $option').*_vorpipe_files '\([^']*\)'.*/\1/p" completions.bash)
