@@ -176,6 +176,13 @@ print(*sqlite3.connect(sys.argv[1]).execute("select organization || char(58) || 
 printf 'x,y,name,code\n300,200,Aa,1\n700,300,"B, b",2\n500,800,Cc,3\n700,300,Twin,4\n' >in/wells.csv
 geojson "$(crs 25832)" '{"type":"Polygon","coordinates":[[[0,0],[1000,0],[1000,1000],[0,1000],[0,0]]]}' >in/district.geojson
 geojson "$(crs 25832)" '{"type":"MultiPoint","coordinates":[[300,200],[700,300],[500,800]]}' >in/wells.geojson
+succeeds "GeoJSON of a plane names it" cells --backend cpu --sites in/wells.csv --crs EPSG:25832 --quiet -o out/a.geojson --edges out/e.geojson --triangulation out/t.geojson
+for file in a e t; do head -1 out/$file.geojson | grep -qF '"crs":{"type":"name","properties":{"name":"urn:ogc:def:crs:EPSG::25832"}},"features":[' || fail "out/$file.geojson: $(head -1 out/$file.geojson)"; done
+succeeds "and is an outline in it" cells --backend cpu --sites random:20 --domain out/a.geojson --quiet -o out/own.gpkg
+in_system out/own.gpkg EPSG:25832
+notes "lines of a plane do not" "out/a.geojsonl: readers take the coordinates of GeoJSON for degrees" cells --backend cpu --sites in/wells.csv --crs EPSG:25832 -o out/a.geojson -o out/a.geojsonl
+succeeds "degrees are the usual" cells --backend cpu --sites in/towns.geojson --domain in/country.geojson --project auto --quiet -o out/a.geojson
+head -1 out/a.geojson | grep -q crs && fail "WGS 84 is named"
 notes "sites adopt the system of their outline" "in/wells.csv: names no coordinate system, and is taken to be in EPSG:25832, as in/district.geojson is" \
   cells --backend cpu --check --sites in/wells.csv --domain in/district.geojson -o out/a.gpkg -o out/a.csv --edges out/e.gpkg --triangulation out/t.gpkg
 for file in a e t; do in_system out/$file.gpkg EPSG:25832; done
@@ -356,6 +363,7 @@ head -1 out/p.csv | grep -qx 'name,site,x,y,area,area_km2,share,site_name,rain_m
 grep -q '"pieces": ' out/s.json || fail "out/s.json does not count pieces"
 ogrinfo -so out/p.gpkg pieces 2>&1 | grep -q 'ETRS89 / UTM zone 32N' || fail "GDAL finds another system in out/p.gpkg"
 in_system out/p.gpkg EPSG:25832
+ogrinfo -so out/p.geojson p 2>&1 | grep -q 'ETRS89 / UTM zone 32N' || fail "GDAL finds another system in out/p.geojson"
 [ "$(grep -c '"type":"Feature",' out/p.geojson)" = "$(wc -l <out/p.geojsonl)" ] || fail "lines are not features"
 cp out/p.csv out/p4.csv
 succeeds "any number of threads gives the same bytes" cells --backend cpu --threads 1 --sites "$examples/rain.csv" --domain "$examples/catchments.geojson" --by name --quiet -o out/p.csv
