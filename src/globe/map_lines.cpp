@@ -138,7 +138,7 @@ class SmoothLine {
   std::vector<Point> points_;
 };
 
-/// A line along the antimeridian, as a flat map has it on both sides.
+/// A line along longitude 180, drawn at the left and at the right border of a flat map.
 void addBothSides(const SphereMap& map, const GreatArc& arc, Stretch stretch,
                   std::vector<std::vector<Point>>& lines) {
   const auto steps =

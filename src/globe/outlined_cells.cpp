@@ -13,13 +13,57 @@
 #include "domain/cells_run.h"
 #include "domain/degrees.h"
 #include "domain/rings.h"
-#include "globe/chart.h"
 #include "globe/sphere_measures.h"
 #include "vorpipe/cell.h"
 #include "vorpipe/maps.h"
 
 namespace vorpipe::core {
 namespace {
+
+/// The gnomonic projection around a center (Snyder 1987, chapter 22), for places less than 90 degrees from
+/// it. Cells on the sphere are those of a plane power diagram there: x . v, for x = center + u right + v up,
+/// is largest for the site of least power (globe.md).
+class Chart {
+ public:
+  explicit Chart(Point center);
+
+  [[nodiscard]] Point toPlane(const Direction& at) const;
+  [[nodiscard]] Direction toDirection(Point at) const;
+  /// The plane's sites, of all sites on the sphere.
+  [[nodiscard]] Sites toPlane(const SphereSites& sites, int threads) const;
+
+ private:
+  Direction center_, right_, up_;
+};
+
+Chart::Chart(Point center)
+    : center_(directionOf(center)), right_(perpendicular(center_)), up_(cross(center_, right_)) {}
+
+Point Chart::toPlane(const Direction& at) const {
+  const double depth = dot(center_, at);
+  return {dot(right_, at) / depth, dot(up_, at) / depth};
+}
+
+Direction Chart::toDirection(Point at) const { return normalized(center_ + at.x * right_ + at.y * up_); }
+
+Sites Chart::toPlane(const SphereSites& sites, int threads) const {
+  constexpr std::size_t grain = std::size_t{1} << 14;
+  const auto count = sites.direction.size();
+  Sites plane;
+  for (auto* list : {&plane.x, &plane.y, &plane.weight}) list->resize(count);
+  parallelFor(count, grain, threads, [&](std::size_t begin, std::size_t end) {
+    for (auto i = begin; i < end; ++i) {
+      const Direction way = sites.direction[i] - center_;
+      const double excess = sites.excessOf(i), longer = 1 + excess;
+      const double rise = longer * dot(way, way) / 2;
+      plane.x[i] = longer * dot(right_, way);
+      plane.y[i] = longer * dot(up_, way);
+      // |v|^2 across the center's direction, plus 2 v along it, less 2.
+      plane.weight[i] = 2 * excess * (1 + rise) - rise * rise;
+    }
+  });
+  return plane;
+}
 
 constexpr std::size_t outlined_grain = 256;
 

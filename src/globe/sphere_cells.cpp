@@ -158,8 +158,8 @@ class Rows {
     around.resize(kept);
   }
 
-  /// Counts the edges of each cell: the sides of triangles, each from the triangle that has it in this
-  /// direction, that are no ties.
+  /// Counts the edges of each cell, and sets `cells.offsets`: one edge for each side of a triangle at the
+  /// cell's site, unless the centers of the triangles on both sides of it are tied.
   Result<void> count(std::size_t sites, SphereCells& cells) {
     cells.offsets.assign(sites + 1, 0);
     std::vector<std::uint32_t> edges(mesh_.site.size());

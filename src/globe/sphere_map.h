@@ -61,8 +61,8 @@ class SphereMap {
   Direction viewer_{}, right_{}, up_{};
 };
 
-/// The parts of an arc that a map shows, as lines with so many points that they are smooth. They end at the
-/// map's border, and at poles, which are lines or corners of flat maps.
+/// The visible parts of `arc` on `map`, as polylines with enough points to look smooth. A polyline ends where
+/// the arc leaves the map, and at a pole, which flat maps draw as a line.
 std::vector<std::vector<Point>> linesOf(const SphereMap& map, const GreatArc& arc);
 
 /// Rings around what a map shows of a cell; `vectors` are those of all sites.

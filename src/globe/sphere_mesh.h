@@ -20,7 +20,7 @@ struct SphereMesh {
   /// Closed: counter-clockwise seen from outside, each with neighbors on all sides. Empty if all sites lie on
   /// one circle.
   BigVector<MeshTriangle> triangles;
-  std::vector<std::int32_t> at;  ///< by vertex: a triangle that has it, or -1 for a site that weights hide
+  std::vector<std::int32_t> at;  ///< by vertex: the index of a triangle around it; -1: weights hide the site
   /// Otherwise all sites with cells, counter-clockwise around the circle's axis.
   std::vector<std::uint32_t> circle;
 };

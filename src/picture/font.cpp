@@ -13,7 +13,7 @@ namespace vorpipe::core {
 namespace {
 
 int advanceOf(const Letter& letter) {
-  // A mark beside a letter, as of d with caron, takes room.
+  // A caron that stands to the right of its letter, as with d and t, makes the character wider.
   const bool beside = letter.mark != nullptr && letter.mark->name == '|';
   return letter.glyph->advance + (beside ? 1 : 0);
 }

@@ -114,7 +114,7 @@ Result<const Attribute*> namesOf(const CellsTargets& targets, std::span<const At
 
 std::string noteOnGeoJson(const CellsTargets& targets, const CoordinateSystem& system) {
   if (system.kind != CoordinateKind::plane) return {};
-  // Lines have no room for the name of a system.
+  // GeoJSON in lines (.geojsonl) has no member that could name a coordinate system.
   const std::string_view nameless = geoJsonSystem(system).empty() ? ".geojson" : ".geojsonl";
   std::string path;
   const auto take = [&](const auto& of_kind) {

@@ -46,8 +46,8 @@ enum class FeaturesAs : std::uint8_t {
 };
 
 /// Writes the feature that `put(bytes, index)` appends for each index below `count`; put returns false if it
-/// appends none. Calls put as writeEach() does. A collection names the system of its coordinates; lines have
-/// no room for it. Error (device): writing failed.
+/// appends none. Calls put as writeEach() does. A collection names `system` in its member `crs`;
+/// lines of features have no such member. Error (device): writing failed.
 template <class Put>
 Result<void> writeFeatures(ByteSink& sink, FeaturesAs as, const CoordinateSystem& system, std::size_t count,
                            const Put& put, int threads) {

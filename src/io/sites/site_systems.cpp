@@ -80,8 +80,8 @@ Result<void> compareSystems(const DomainSettings& settings, PlacedSites& placed,
 }
 
 /// Gives sites without a system that of the outline, unless they are to be projected: projectSites() does it
-/// then. A note says so for files whose kind of coordinates was unknown; patterns and arrays never name a
-/// system, and degrees that become those of a known datum surprise nobody.
+/// then. Adds a note for files whose kind of coordinates was unknown. There is none for patterns and arrays,
+/// which never name a system, nor where only the datum of degrees becomes known.
 void adoptSystem(const DomainSettings& settings, PlacedSites& placed, const DomainWords& words) {
   const CoordinateSystem& its = settings.outline_system;
   const auto kind = placed.system.kind;
