@@ -1,0 +1,26 @@
+/// Exact signs about sites in space and walls of a box: a filter in double with an error bound; where it
+/// fails, integers of fixed width; where those are too short, expansions (Shewchuk 1997).
+#pragma once
+
+#include "space/label.h"
+
+namespace vorpipe::space {
+
+/// The sign of det(d_j, d_k, d_l), exact: d of a site is its place less that of site i; d of a wall is its
+/// outward normal. 1: seen from outside, the faces of j, k, l turn counter-clockwise around the vertex
+/// (i; j, k, l) of the cell of i. 0: they have no common point, or infinitely many.
+int orientation(const Places& places, Label i, Label j, Label k, Label l);
+
+/// Whether label m cuts the vertex (i; j, k, l) off the cell of site i: it is nearer to site m than to i, or
+/// beyond the wall m. Exact; orientation(i; j, k, l) must not be 0, and m is none of the four.
+///
+/// Ties are broken (corrections.md... see docs): every lifted height |x|^2 of a site, and every offset of a
+/// wall, is lowered by an infinitesimal: those of walls first (wall 0 by infinitely more than wall 1, ...),
+/// then those of sites in lexicographic order of their coordinates, each by infinitely more than the next. So
+/// the answer depends only on places, is the same for translated sites, and all cells agree.
+bool cuts(const Places& places, Label i, Label j, Label k, Label l, Label m);
+
+/// How often the filter in double did not suffice, on this thread so far.
+std::uint64_t exactSigns();
+
+}  // namespace vorpipe::space
