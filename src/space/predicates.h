@@ -14,7 +14,7 @@ int orientation(const Places& places, Label i, Label j, Label k, Label l);
 /// Whether label m cuts the vertex (i; j, k, l) off the cell of site i: it is nearer to site m than to i, or
 /// beyond the wall m. Exact; orientation(i; j, k, l) must not be 0, and m is none of the four.
 ///
-/// Ties are broken (corrections.md... see docs): every lifted height |x|^2 of a site, and every offset of a
+/// Ties are broken : every lifted height |x|^2 of a site, and every offset of a
 /// wall, is lowered by an infinitesimal: those of walls first (wall 0 by infinitely more than wall 1, ...),
 /// then those of sites in lexicographic order of their coordinates, each by infinitely more than the next. So
 /// the answer depends only on places, is the same for translated sites, and all cells agree.
