@@ -103,9 +103,7 @@ std::vector<std::uint32_t> sortByBin(SiteBins& bins, std::span<const Point3> sit
                                 static_cast<std::size_t>(bins.count[2]);
   BigVector<std::uint32_t> bin_of(sites.size());
   parallelEach(sites.size(), grain, threads, [&](std::size_t i) {
-    const int x = binAlong(bins, 0, sites[i].x - bins.corner.x);
-    const int y = binAlong(bins, 1, sites[i].y - bins.corner.y);
-    const int z = binAlong(bins, 2, sites[i].z - bins.corner.z);
+    const auto [x, y, z] = bins.binOf(sites[i]);
     bin_of[i] = static_cast<std::uint32_t>((static_cast<std::size_t>(z) * static_cast<std::size_t>(bins.count[1]) +
                                             static_cast<std::size_t>(y)) *
                                                static_cast<std::size_t>(bins.count[0]) +
@@ -169,6 +167,11 @@ std::size_t leaveDuplicates(SiteBins& bins, std::span<const Point3> sites, std::
 
 }  // namespace
 
+std::array<int, 3> SiteBins::binOf(const Point3& site) const {
+  return {binAlong(*this, 0, site.x - corner.x), binAlong(*this, 1, site.y - corner.y),
+          binAlong(*this, 2, site.z - corner.z)};
+}
+
 LaneBins SiteBins::lanes() const {
   LaneBins bins{};
   for (int a = 0; a < 3; ++a) bins.count[a] = count[a];
@@ -209,13 +212,11 @@ SiteBins binSites(std::span<const Point3> callers, const Box3& domain, int threa
   bins.z.resize(count);
   parallelEach(count, grain, threads, [&](std::size_t k) {
     const Point3& p = sites[bins.input[k]];
-    const auto local = [&](int axis, double from_corner) {
-      return static_cast<float>(from_corner - binAlong(bins, axis, from_corner) * bins.side);
-    };
+    const auto [x, y, z] = bins.binOf(p);
     bins.sites[k] = p;
-    bins.x[k] = local(0, p.x - bins.corner.x);
-    bins.y[k] = local(1, p.y - bins.corner.y);
-    bins.z[k] = local(2, p.z - bins.corner.z);
+    bins.x[k] = static_cast<float>(p.x - bins.corner.x - x * bins.side);
+    bins.y[k] = static_cast<float>(p.y - bins.corner.y - y * bins.side);
+    bins.z[k] = static_cast<float>(p.z - bins.corner.z - z * bins.side);
   });
   bins.steps = orderOfSteps();
   return bins;

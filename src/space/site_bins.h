@@ -1,6 +1,7 @@
 /// Sites of a run: scaled, in the order of bins, each position once.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -29,6 +30,8 @@ struct SiteBins {
 
   [[nodiscard]] Places places() const { return {sites.data(), box}; }
   [[nodiscard]] LaneBins lanes() const;
+  /// The bin of a site, along each axis.
+  [[nodiscard]] std::array<int, 3> binOf(const Point3& site) const;
   [[nodiscard]] std::uint32_t bins() const { return static_cast<std::uint32_t>(begin.size() - 1); }
 };
 

@@ -1,0 +1,29 @@
+/// Cells of all sites of a run, proposed, checked, and where they are in dispute recomputed, until they are
+/// proved.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "space/cell_check.h"
+#include "space/rows.h"
+#include "space/site_bins.h"
+#include "vorpipe/result.h"
+
+namespace vorpipe::space {
+
+struct CertifiedCells {
+  explicit CertifiedCells(std::size_t sites) : rows(sites), measures(sites) {}
+  Rows rows;                             ///< no faces: the site has no cell
+  std::vector<CellMeasures> measures;    ///< by site; not of those in `careful`
+  std::vector<std::vector<double>> face_areas;  ///< by site, by face; likewise. Empty unless asked for
+  std::vector<std::uint32_t> careful;    ///< sites whose cells may have ties or bad vertices, ascending
+  std::uint64_t exact = 0;               ///< number of times that a cell was recomputed exactly
+  std::vector<RowArena> arenas;
+};
+
+/// Errors: progress asked to stop (cancelled); cells that remain in dispute, which is a fault of vorpipe
+/// (device).
+Result<CertifiedCells> certify(const SiteBins& bins, bool face_areas, const Progress& progress, int threads);
+
+}  // namespace vorpipe::space
