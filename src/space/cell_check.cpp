@@ -2,13 +2,17 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
+#include <limits>
 #include <unordered_map>
+#include <utility>
 
 #include "space/predicates.h"
 
 namespace vorpipe::space {
 namespace {
 
+/// Faces of a cell with fewer than 128 vertices.
 constexpr std::size_t most_small = 64;
 constexpr std::size_t lanes = 8;
 constexpr std::int32_t none = -1;
@@ -16,21 +20,31 @@ constexpr std::int32_t none = -1;
 /// By two faces of a cell of any size: the vertex where the second follows the first.
 class LargeIndex {
  public:
+  explicit LargeIndex(std::size_t faces) : seen_(faces, 0) {}
+  /// Whether face b was seen on the ring of face a before. Rings come one after another.
+  bool again(std::size_t a, std::size_t b) { return std::exchange(seen_[b], a + 1) == a + 1; }
   std::int32_t& at(std::size_t a, std::size_t b) {
     return map_.try_emplace(std::uint64_t{a} << 32 | b, none).first->second;
   }
 
  private:
   std::unordered_map<std::uint64_t, std::int32_t> map_;
+  std::vector<std::size_t> seen_;
 };
 
+/// The same for few faces.
 class SmallIndex {
  public:
-  explicit SmallIndex(std::vector<std::int32_t>& table) : table_(table) {}
-  std::int32_t& at(std::size_t a, std::size_t b) { return table_[a * most_small + b]; }
+  explicit SmallIndex(std::size_t faces) : faces_(faces) { std::memset(table_, none, faces * faces); }
+  bool again(std::size_t a, std::size_t b) {
+    return std::exchange(seen_[b], static_cast<std::uint8_t>(a + 1)) == a + 1;
+  }
+  std::int8_t& at(std::size_t a, std::size_t b) { return table_[a * faces_ + b]; }
 
  private:
-  std::vector<std::int32_t>& table_;
+  std::size_t faces_;
+  std::int8_t table_[most_small * most_small];
+  std::uint8_t seen_[most_small] = {};
 };
 
 }  // namespace
@@ -40,8 +54,7 @@ CellCheck::CellCheck(const Places& places, const Rows& rows)
       rows_(rows),
       find_corners_(findCorners()),
       tie_wall_(std::min({places.box.xmax - places.box.xmin, places.box.ymax - places.box.ymin,
-                          places.box.zmax - places.box.zmin})),
-      small_vertex_of_(most_small * most_small, none) {}
+                          places.box.zmax - places.box.zmin})) {}
 
 void CellCheck::reserve(std::size_t faces, std::size_t edge_ends) {
   const std::size_t vertices = edge_ends / 3, edges = edge_ends / 2;
@@ -102,6 +115,7 @@ bool CellCheck::takeRow() {
       distance_[f] = tie_wall_;
     } else {
       if (label == site_ || static_cast<std::size_t>(label) >= rows_.size()) return false;
+      rows_.prefetch(static_cast<std::size_t>(label));
       const Point3 q = places_.sites[label];
       nx_[f] = q.x - p.x;
       ny_[f] = q.y - p.y;
@@ -125,54 +139,47 @@ bool CellCheck::takeRow() {
 }
 
 /// Takes vertices and edges out of the rings: a vertex is a cyclic triple of faces, the same in three rings.
-template <class Index>
-bool CellCheck::takeRingsOf(Index& vertex_of) {
+template <class Index, class Begin, class Entry>
+bool CellCheck::takeRingsOf(Index& vertex_of, const Begin* begin, const Entry* rings) {
+  using Vertex = std::remove_reference_t<decltype(vertex_of.at(0, 0))>;
   auto *const first = corners_.data(), *const second = first + vertex_room_, *const third = second + vertex_room_;
-  std::size_t vertices = 0, edges = 0, ends = 0;
-  bool closed = true;
-  for (std::size_t a = 0; a < row_.faces && closed; ++a) {
-    const Ring ring = row_.ring(a);
-    closed = ring.size() >= 3;
-    for (std::size_t k = 0; k < ring.size() && closed; ++k) {
-      const std::size_t b = ring[k], c = ring[k + 1 == ring.size() ? 0 : k + 1];
-      if (b >= row_.faces || c >= row_.faces || a == b || b == c || c == a) return false;
-      ++ends;
-      std::int32_t& here = vertex_of.at(a, b);
+  const std::size_t faces = row_.faces;
+  std::size_t vertices = 0, edges = 0;
+  for (std::size_t a = 0; a < faces; ++a) {
+    const std::size_t ring_end = begin[a + 1];
+    if (ring_end < begin[a] + std::size_t{3} || ring_end > row_.edge_ends) return false;
+    for (std::size_t k = begin[a]; k < ring_end; ++k) {
+      const std::size_t b = rings[k], c = rings[k + 1 == ring_end ? begin[a] : k + 1];
+      if (b >= faces || c >= faces || a == b || b == c || c == a || vertex_of.again(a, b)) return false;
+      const Vertex here = vertex_of.at(a, b);
       if (here == none) {
-        if (vertices * 3 == row_.edge_ends) return false;
-        const auto v = static_cast<std::int32_t>(vertices++);
-        first[v] = static_cast<std::int32_t>(a);
-        second[v] = static_cast<std::int32_t>(b);
-        third[v] = static_cast<std::int32_t>(c);
-        here = v;
-        std::int32_t &on_b = vertex_of.at(b, c), &on_c = vertex_of.at(c, a);
+        if (3 * vertices == row_.edge_ends) return false;
+        Vertex &on_b = vertex_of.at(b, c), &on_c = vertex_of.at(c, a);
         if (on_b != none || on_c != none) return false;
-        on_b = on_c = v;
+        first[vertices] = static_cast<std::int32_t>(a);
+        second[vertices] = static_cast<std::int32_t>(b);
+        third[vertices] = static_cast<std::int32_t>(c);
+        vertex_of.at(a, b) = on_b = on_c = static_cast<Vertex>(vertices++);
         continue;
       }
-      // The vertex was found on one of its other faces.
-      closed = (first[here] == static_cast<std::int32_t>(b) && second[here] == static_cast<std::int32_t>(c) &&
-                third[here] == static_cast<std::int32_t>(a)) ||
-               (first[here] == static_cast<std::int32_t>(c) && second[here] == static_cast<std::int32_t>(a) &&
-                third[here] == static_cast<std::int32_t>(b));
+      // The vertex was found on another of its faces: it must be of these three, and follow them the same way.
+      if (vertex_of.at(b, c) != here || vertex_of.at(c, a) != here) return false;
     }
   }
-  if (!closed || 3 * vertices != ends || ends != row_.edge_ends) return false;
+  if (3 * vertices != row_.edge_ends || begin[faces] != row_.edge_ends) return false;
   auto *const edge_a = edges_.data(), *const edge_b = edge_a + edge_room_, *const from = edge_b + edge_room_,
               *const to = from + edge_room_;
-  for (std::size_t a = 0; a < row_.faces; ++a) {
-    const Ring ring = row_.ring(a);
-    for (std::size_t k = 0; k < ring.size(); ++k) {
-      const std::size_t b = ring[k];
-      if (b < a) continue;
+  for (std::size_t a = 0; a < faces; ++a) {
+    for (std::size_t k = begin[a]; k < begin[a + 1]; ++k) {
+      const std::size_t b = rings[k];
       edge_a[edges] = static_cast<std::int32_t>(a);
       edge_b[edges] = static_cast<std::int32_t>(b);
       from[edges] = vertex_of.at(a, b);
       to[edges] = vertex_of.at(b, a);
-      ++edges;
+      edges += b > a ? 1 : 0;
     }
   }
-  job_.faces = row_.faces;
+  job_.faces = faces;
   job_.vertices = vertices;
   job_.edges = edges;
   // What lies behind the last in a vector of them: any.
@@ -185,20 +192,17 @@ bool CellCheck::takeRingsOf(Index& vertex_of) {
     from[edges + k] = from[0];
     to[edges + k] = to[0];
   }
-  return 2 * edges == ends;
+  return 2 * edges == row_.edge_ends;
 }
 
 bool CellCheck::takeRings() {
-  if (row_.faces > most_small) {
-    LargeIndex index;
-    return takeRingsOf(index);
+  if (row_.faces <= most_small) {
+    SmallIndex index(row_.faces);
+    return takeRingsOf(index, row_.small_begin, row_.small);
   }
-  SmallIndex index(small_vertex_of_);
-  const bool taken = takeRingsOf(index);
-  for (std::size_t a = 0; a < row_.faces; ++a) {
-    std::fill_n(small_vertex_of_.begin() + static_cast<std::ptrdiff_t>(a * most_small), row_.faces, none);
-  }
-  return taken;
+  LargeIndex index(row_.faces);
+  return row_.isSmall() ? takeRingsOf(index, row_.small_begin, row_.small)
+                        : takeRingsOf(index, row_.large_begin, row_.large);
 }
 
 /// Whether the ring of each face is that of the neighbor's face, reversed.
@@ -274,12 +278,12 @@ Verdict CellCheck::check(Label site) {
     verdict.broken = Broken::rings;
     return verdict;
   }
-  if (!isGlued(verdict)) return verdict;
   job_.tie = 1.01e-6;
   job_.measure = true;
   find_corners_(job_);
   verdict.tied = job_.tied;
   verdict.unsure = job_.unsure;
+  if (!isGlued(verdict)) return verdict;
   if (job_.tied || job_.unsure) provedExactly(verdict);
   return verdict;
 }

@@ -49,11 +49,10 @@ class CellCheck {
   [[nodiscard]] double faceArea(std::size_t face) const;
 
  private:
-  struct Arrays;
   bool takeRow();
   bool takeRings();
-  template <class Index>
-  bool takeRingsOf(Index& vertex_of);
+  template <class Index, class Begin, class Entry>
+  bool takeRingsOf(Index& vertex_of, const Begin* begin, const Entry* rings);
   [[nodiscard]] bool isGlued(Verdict& verdict) const;
   bool provedExactly(Verdict& verdict) const;
   void reserve(std::size_t faces, std::size_t edge_ends);
@@ -69,7 +68,6 @@ class CellCheck {
   std::vector<std::uint8_t> turned_, unproved_;
   std::size_t face_room_ = 0, vertex_room_ = 0, edge_room_ = 0;
   double *nx_ = nullptr, *ny_ = nullptr, *nz_ = nullptr, *h_ = nullptr, *distance_ = nullptr;
-  std::vector<std::int32_t> small_vertex_of_;  ///< by two faces: the vertex where the second follows
   CornerJob job_{};
 };
 

@@ -88,7 +88,7 @@ class Certifier {
 
   void propose() {
     const LaneBins lanes = bins_.lanes();
-    const ProposeCells propose = proposeCells();
+    const ProposeCells lanes_function = proposeCells();
     const std::size_t grain = std::clamp<std::size_t>(bins_.bins() / 16, 1, 4096);
     inArenas(bins_.bins(), grain, [&](std::size_t begin, std::size_t end, RowArena& arena) {
       struct Taken {
@@ -96,7 +96,7 @@ class Certifier {
         RowArena& arena;
         Sites left;
       } taken{found_.rows, arena, {}};
-      propose(
+      lanes_function(
           lanes, static_cast<std::uint32_t>(begin), static_cast<std::uint32_t>(end),
           [](void* context, std::uint32_t site, const ProposedCell& cell) {
             auto& [rows, into, left] = *static_cast<Taken*>(context);

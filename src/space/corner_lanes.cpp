@@ -94,9 +94,9 @@ void proveEdges(CornerJob& job, std::size_t e, std::size_t count, double* area_a
   const Reals on_a = dot(a, turn), on_b = dot(b, turn);
   store(area_a, on_a);
   store(area_b, on_b);
-  // Tetrahedra of the site, the foot of each face's plane, and the edge: it runs clockwise around b.
+  // Tetrahedra of the site, the foot of each face's plane, and the edge: it runs counter-clockwise around b.
   const Reals ga = gather(job.h, job.a + e) / dot(a, a), gb = gather(job.h, job.b + e) / dot(b, b);
-  Reals both = ga * on_a - gb * on_b;
+  Reals both = gb * on_b - ga * on_a;
   for (std::size_t k = count; k < lanes; ++k) both[k] = 0;
   moment.x += both * (u.x + w.x);
   moment.y += both * (u.y + w.y);
@@ -123,8 +123,8 @@ void VORPIPE_LANES_FUNCTION(CornerJob& job) {
     proveEdges(job, e, count, area_a, area_b, moments);
     if (!job.measure) continue;
     for (std::size_t k = 0; k < count; ++k) {
-      job.twice_area[job.a[e + k]] += area_a[k];
-      job.twice_area[job.b[e + k]] -= area_b[k];
+      job.twice_area[job.a[e + k]] -= area_a[k];
+      job.twice_area[job.b[e + k]] += area_b[k];
     }
   }
   if (!job.measure) return;

@@ -75,6 +75,11 @@ class Rows {
   explicit Rows(std::size_t sites) : at_(sites, nullptr) {}
   [[nodiscard]] std::size_t size() const { return at_.size(); }
   [[nodiscard]] Row operator[](std::size_t site) const;
+  void prefetch(std::size_t site) const {
+    __builtin_prefetch(at_[site]);
+    __builtin_prefetch(at_[site] + 64);
+    __builtin_prefetch(at_[site] + 128);
+  }
   void clear(std::size_t site) { at_[site] = nullptr; }
 
   /// Sets the row of a site from its faces' neighbors and its vertices: three faces each, counter-clockwise
