@@ -10,23 +10,26 @@ namespace {
 
 /// Candidates near a site, in the order in which they cut.
 struct Nearest {
-  float squared[SLOTS], x[SLOTS], y[SLOTS], z[SLOTS];
-  std::int32_t site[SLOTS];
+  // A vector of candidates may be written behind the last.
+  float squared[SLOTS + LANES], x[SLOTS + LANES], y[SLOTS + LANES], z[SLOTS + LANES];
+  std::int32_t site[SLOTS + LANES], key[SLOTS];
   std::uint8_t order[SLOTS];
   int count;
 
-  /// Sorts by distance, equal ones as they came: the rank of each is the number of those before it.
+  /// Sorts by distance. Keys are distances whose last bits are indices, so that no two are equal; the rank of
+  /// each is the number of keys that are less.
   void sort() {
-    for (int k = count; k < SLOTS; ++k) squared[k] = __builtin_inff();
+    constexpr int index_bits = SLOTS - 1;
+    for (int k = 0; k < SLOTS; ++k) {
+      std::int32_t bits;
+      __builtin_memcpy(&bits, squared + k, sizeof bits);
+      key[k] = k < count ? (bits & ~index_bits) | k : 0x7FFFFFFF;
+    }
     const int blocks = (count + LANES - 1) / LANES;
     for (int k = 0; k < count; ++k) {
-      std::uint64_t before = 0, equal = 0;
-      for (int b = 0; b < blocks; ++b) {
-        const lane_real all = load(squared + b * LANES);
-        before |= BALLOT(all < squared[k], b);
-        equal |= BALLOT(all == squared[k], b);
-      }
-      order[COUNT(before) + COUNT(equal & (SLOT(k) - 1))] = static_cast<std::uint8_t>(k);
+      int rank = 0;
+      for (int b = 0; b < blocks; ++b) rank += COUNT(BALLOT(loadInts(key + b * LANES) < key[k], 0));
+      order[rank] = static_cast<std::uint8_t>(k);
     }
   }
 };
@@ -106,22 +109,24 @@ class Walk {
       float offset[3];
       if (!bin(steps_[step], from, to, offset)) continue;
       if (nearest_.count + static_cast<int>(to - from) > SLOTS) break;
-      for (std::uint32_t j = from; j < to; ++j) {
-        const float dx = bins_.x[j] + offset[0], dy = bins_.y[j] + offset[1], dz = bins_.z[j] + offset[2];
-        const int k = nearest_.count;
-        nearest_.x[k] = dx;
-        nearest_.y[k] = dy;
-        nearest_.z[k] = dz;
-        nearest_.squared[k] = dx * dx + dy * dy + dz * dz;
-        nearest_.site[k] = static_cast<std::int32_t>(j);
-        nearest_.count += j != site_ ? 1 : 0;
+      for (std::uint32_t j = from; j < to; j += LANES) {
+        const int k = nearest_.count + static_cast<int>(j - from);
+        const lane_real dx = load(bins_.x + j) + offset[0], dy = load(bins_.y + j) + offset[1],
+                        dz = load(bins_.z + j) + offset[2];
+        store(nearest_.x + k, dx);
+        store(nearest_.y + k, dy);
+        store(nearest_.z + k, dz);
+        store(nearest_.squared + k, dx * dx + dy * dy + dz * dz);
+        store(nearest_.site + k, each_lane + static_cast<std::int32_t>(j));
       }
+      nearest_.count += static_cast<int>(to - from);
     }
     nearest_.sort();
     int cuts = 0;
     for (int r = 0; r < nearest_.count && !cell_.empty && !cell_.overflow; ++r) {
       const int k = nearest_.order[r];
       if (nearest_.squared[k] >= reach_) break;
+      if (nearest_.site[k] == static_cast<std::int32_t>(site_)) continue;
       if (cut(nearest_.x[k], nearest_.y[k], nearest_.z[k], nearest_.squared[k], nearest_.site[k])) {
         if (++cuts % 8 == 0) measure();
       }
@@ -135,12 +140,19 @@ class Walk {
     float offset[3];
     if (!bin(step, from, to, offset)) return;
     bool any = false;
-    for (std::uint32_t j = from; j < to; ++j) {
-      const float dx = bins_.x[j] + offset[0], dy = bins_.y[j] + offset[1], dz = bins_.z[j] + offset[2];
-      const float squared = dx * dx + dy * dy + dz * dz;
-      if (squared >= reach_ || j == site_) continue;
-      any = cut(dx, dy, dz, squared, static_cast<std::int32_t>(j)) || any;
-      if (cell_.empty || cell_.overflow) return;
+    for (std::uint32_t j = from; j < to; j += LANES) {
+      const lane_real dx = load(bins_.x + j) + offset[0], dy = load(bins_.y + j) + offset[1],
+                      dz = load(bins_.z + j) + offset[2];
+      const lane_real squared = dx * dx + dy * dy + dz * dz;
+      std::uint64_t near = BALLOT(squared < reach_, 0);
+      if (to - j < LANES) near &= SLOT(to - j) - SLOT(0);
+      for (; near != 0; near &= near - 1) {
+        const int lane = LOWEST(near);
+        const std::uint32_t site = j + static_cast<std::uint32_t>(lane);
+        if (site == site_) continue;
+        any = cut(dx[lane], dy[lane], dz[lane], squared[lane], static_cast<std::int32_t>(site)) || any;
+        if (cell_.empty || cell_.overflow) return;
+      }
     }
     if (any) measure();
   }

@@ -31,6 +31,14 @@ namespace {
 using lane_real [[gnu::vector_size(4 * VORPIPE_LANES)]] = float;
 using lane_truth [[gnu::vector_size(4 * VORPIPE_LANES)]] = std::int32_t;
 
+#if VORPIPE_LANES == 16
+constexpr lane_truth each_lane{0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15};
+#elif VORPIPE_LANES == 8
+constexpr lane_truth each_lane{0, 1, 2, 3, 4, 5, 6, 7};
+#else
+constexpr lane_truth each_lane{0, 1, 2, 3};
+#endif
+
 inline float max(float a, float b) { return a < b ? b : a; }
 inline int min(int a, int b) { return b < a ? b : a; }
 inline int max(int a, int b) { return a < b ? b : a; }
@@ -40,6 +48,12 @@ inline lane_real load(const float* from) {
   __builtin_memcpy(&all, from, sizeof all);
   return all;
 }
+inline lane_truth loadInts(const std::int32_t* from) {
+  lane_truth all;
+  __builtin_memcpy(&all, from, sizeof all);
+  return all;
+}
+inline void store(std::int32_t* to, const lane_truth& all) { __builtin_memcpy(to, &all, sizeof all); }
 inline void store(float* to, const lane_real& all) { __builtin_memcpy(to, &all, sizeof all); }
 
 /// The truths of a comparison as bits.

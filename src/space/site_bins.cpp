@@ -13,6 +13,8 @@ namespace {
 
 constexpr double sites_per_bin = 3;
 constexpr std::size_t grain = 1 << 14;
+/// Lanes load a whole vector from any site on.
+constexpr std::size_t room_behind = 16;
 
 /// The power of two that brings the longest side of a box into [1, 2).
 double scaleOf(const Box3& box) {
@@ -207,9 +209,10 @@ SiteBins binSites(std::span<const Point3> callers, const Box3& domain, int threa
   leaveDuplicates(bins, sites, bins.input, threads);
   const std::size_t count = bins.input.size();
   bins.sites.resize(count);
-  bins.x.resize(count);
-  bins.y.resize(count);
-  bins.z.resize(count);
+  for (auto* const axis : {&bins.x, &bins.y, &bins.z}) {
+    axis->resize(count + room_behind);
+    std::fill_n(axis->end() - static_cast<std::ptrdiff_t>(room_behind), room_behind, 0.0F);
+  }
   parallelEach(count, grain, threads, [&](std::size_t k) {
     const Point3& p = sites[bins.input[k]];
     const auto [x, y, z] = bins.binOf(p);
