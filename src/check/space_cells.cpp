@@ -11,7 +11,7 @@ namespace {
 constexpr double area_rounding = 1e-8;
 
 /// What is wrong with the faces of cell i in its neighbors' cells.
-std::string wrongTwin(const CheckedSpace& run, std::size_t i) {
+std::string wrongTwinOfFace(const CheckedSpace& run, std::size_t i) {
   for (std::size_t face = run.begin(i); face < run.end(i); ++face) {
     const std::int64_t neighbor = run.diagram.neighbors[face];
     if (neighbor < 0 || static_cast<std::size_t>(neighbor) < i) continue;
@@ -36,8 +36,8 @@ std::string wrongTwin(const CheckedSpace& run, std::size_t i) {
   return {};
 }
 
-/// What is wrong with neighbors that have a smaller index: each names this one in wrongTwin of its own.
-std::string wrongLowerTwin(const CheckedSpace& run, std::size_t i) {
+/// What is wrong with neighbors that have a smaller index: each names this one in wrongTwinOfFace of its own.
+std::string missingInLower(const CheckedSpace& run, std::size_t i) {
   for (std::size_t face = run.begin(i); face < run.end(i); ++face) {
     const std::int64_t neighbor = run.diagram.neighbors[face];
     if (neighbor < 0 || static_cast<std::size_t>(neighbor) > i) continue;
@@ -90,8 +90,8 @@ void checkSpaceMeasures(const CheckedSpace& run, Broken& broken) {
                                       domain / unit, sum / domain - 1));
   }
   broken.expect("symmetry", run.size(), run.threads, [&](std::size_t i) {
-    std::string wrong = wrongTwin(run, i);
-    return wrong.empty() ? wrongLowerTwin(run, i) : wrong;
+    std::string wrong = wrongTwinOfFace(run, i);
+    return wrong.empty() ? missingInLower(run, i) : wrong;
   });
   broken.expect("measures", run.size(), run.threads, [&](std::size_t i) { return wrongFromAreas(run, i); });
 }

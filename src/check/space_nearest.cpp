@@ -8,7 +8,8 @@
 namespace vorpipe::core::checks {
 namespace {
 
-constexpr std::size_t most_cells = 10'000, most_places = 20'000, places_of_site = 256, least_places = 2'000;
+constexpr std::size_t most_cells = 10'000, most_of_domain = 20'000, places_of_site = 256,
+                      least_of_domain = 2'000;
 /// Sampled vertices per cell; few cells have more.
 constexpr std::size_t most_of_cell = 32;
 
@@ -126,7 +127,7 @@ void checkNearestInSpace(const CheckedSpace& run, Broken& broken) {
   const auto along = [&](double low, double high) {
     return low + static_cast<double>(random() >> 11) * 0x1p-53 * (high - low);
   };
-  std::vector<Point3> places(std::clamp(places_of_site * run.size(), least_places, most_places));
+  std::vector<Point3> places(std::clamp(places_of_site * run.size(), least_of_domain, most_of_domain));
   for (Point3& p : places) {
     p.x = along(run.box.xmin, run.box.xmax);
     p.y = along(run.box.ymin, run.box.ymax);

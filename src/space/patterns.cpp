@@ -1,6 +1,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdint>
+#include <limits>
 #include <random>
 #include <span>
 #include <vector>
@@ -45,19 +47,45 @@ Point3 anywhere(RandomBits& random) {
 /// The sides of a box that patterns are made for, relative to the root of its volume: their product is 1.
 using Sides = std::array<double, 3>;
 
+using Counts = std::array<std::uint64_t, 3>;
+
+/// The number of cells of a side that has room for `cells` of them.
+std::uint64_t wholeCells(double cells) {
+  return static_cast<std::uint64_t>(std::clamp(std::round(cells), 1.0, 0x1p31));
+}
+
 /// Numbers of cells of a lattice along the axes, so that each is nearly a cube: about `cells` of them.
-std::array<std::uint64_t, 3> latticeCounts(double cells, const Sides& sides) {
+Counts nearCubes(double cells, const Sides& sides) {
   const double along = std::cbrt(std::max(cells, 1.0));
-  std::array<std::uint64_t, 3> counts{};
-  for (std::size_t axis = 0; axis < 3; ++axis) {
-    counts[axis] = static_cast<std::uint64_t>(std::clamp(std::round(along * sides[axis]), 1.0, 0x1p31));
+  return {wholeCells(along * sides[0]), wholeCells(along * sides[1]), wholeCells(along * sides[2])};
+}
+
+/// The same for a lattice, whose cells should be cubes: rather another number of them, up to a fifth along
+/// each axis, than cells that are stretched.
+Counts latticeCounts(double cells, const Sides& sides) {
+  const double wanted = std::cbrt(std::max(cells, 1.0)) * std::ranges::min(sides);
+  constexpr double fewest = 0.8, most = 1.25, cost_of_number = 0.05;
+  Counts best = nearCubes(cells, sides);
+  double least = std::numeric_limits<double>::infinity();
+  for (double count = std::max(1.0, std::floor(fewest * wanted)); count <= std::ceil(most * wanted);
+       ++count) {
+    Counts counts{};
+    double cost = cost_of_number * std::abs(count / wanted - 1);
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      const double fits = count * (sides[axis] / std::ranges::min(sides));
+      counts[axis] = wholeCells(fits);
+      cost += std::abs(static_cast<double>(counts[axis]) / fits - 1);
+    }
+    if (cost >= least) continue;
+    least = cost;
+    best = counts;
   }
-  return counts;
+  return best;
 }
 
 /// Calls take(x, y, z) for each cell of a lattice.
 template <class Take>
-void eachCell(const std::array<std::uint64_t, 3>& counts, const Take& take) {
+void eachCell(const Counts& counts, const Take& take) {
   for (std::uint64_t z = 0; z < counts[2]; ++z) {
     for (std::uint64_t y = 0; y < counts[1]; ++y) {
       for (std::uint64_t x = 0; x < counts[0]; ++x) {
@@ -126,7 +154,7 @@ void fillHcp(std::uint64_t n, const Sides& sides, Sites3& sites) {
 
 /// The smallest lattice with at least n cubes; those left empty are spread evenly.
 void fillJitter(std::uint64_t n, const Sides& sides, RandomBits& random, Sites3& sites) {
-  auto counts = latticeCounts(static_cast<double>(n), sides);
+  Counts counts = nearCubes(static_cast<double>(n), sides);
   while (counts[0] * counts[1] * counts[2] < n) {
     // One more layer where the cubes are largest.
     std::size_t widest = 0;
