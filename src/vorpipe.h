@@ -1,10 +1,12 @@
-/// vorpipe: Voronoi (Thiessen, Dirichlet) and power (Laguerre, radical) diagrams of sites in the plane.
+/// vorpipe: Voronoi (Thiessen, Dirichlet) and power (Laguerre, radical) diagrams of sites in the plane, and
+/// Voronoi diagrams of sites in space.
 ///
 /// The public interface: plain data and functions. Nothing here prints, exits or throws on bad
 /// input; a function that can fail returns Result. Coordinates are the caller's own units.
 #pragma once
 
 #include <memory>
+#include <span>
 #include <string>
 
 #include "vorpipe/cell.h"
@@ -26,6 +28,7 @@
 #include "vorpipe/result.h"
 #include "vorpipe/run.h"
 #include "vorpipe/sites.h"
+#include "vorpipe/space.h"
 #include "vorpipe/topology.h"
 #include "vorpipe/transport.h"
 #include "vorpipe/view.h"
@@ -52,6 +55,11 @@ class Session {
 
   /// Computes the cells of at least one finite site. Errors: those of render.
   Result<Diagram> cells(const Sites& sites, const CellsOptions& options);
+
+  /// Computes the cells of at least one finite site in space, on the CPU whatever the backend. Errors: those
+  /// of checkInput; two sites are too near to each other, but not equal (input); memory ran out (device);
+  /// progress asked to stop (cancelled).
+  Result<Diagram3> cells(std::span<const Point3> sites, const Cells3Options& options);
 
   /// Measures how the device rounds, by computing and drawing on it. Error (device): it failed.
   Result<Arithmetic> arithmetic();

@@ -13,6 +13,7 @@
 #include "vorpipe/result.h"
 #include "vorpipe/run.h"
 #include "vorpipe/sites.h"
+#include "vorpipe/space.h"
 
 namespace vorpipe {
 
@@ -76,11 +77,15 @@ void planSession(MemoryPlan& plan, const Workload& work);
 /// Plans Session::cells. Returns the Diagram.
 MemoryPlan::Array planCells(MemoryPlan& plan, const Workload& work, Detail detail);
 
+/// The same for cells in space.
+MemoryPlan::Array planCells(MemoryPlan& plan, const Workload& work, Detail3 detail);
+
 /// Plans Session::render with the picture's options, as far as they are known. Returns the Rendering.
 MemoryPlan::Array planPicture(MemoryPlan& plan, const Workload& work, const RenderOptions& options);
 
 /// Plan the check() of results that planCells and planPicture plan.
 void planCellsCheck(MemoryPlan& plan, const Workload& work, Detail detail);
+void planCellsCheck(MemoryPlan& plan, const Workload& work, Detail3 detail);
 void planPictureCheck(MemoryPlan& plan, const Workload& work, const RenderOptions& options);
 
 /// How much memory a process may take.

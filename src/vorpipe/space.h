@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "vorpipe/maps.h"
 #include "vorpipe/result.h"
 #include "vorpipe/run.h"
 #include "vorpipe/wall.h"
@@ -30,7 +31,7 @@ using Sites3 = std::vector<Point3>;
 /// The default domain of sites: the box of at least one site, grown on every side by 5 % of its longest side,
 /// or by 0.5 if all sites are equal. It grows more where that would vanish beside the coordinates. It is not
 /// finite if the sites extend too far.
-Box3 domainOf(std::span<const Point3> sites);
+Box3 domainOf(std::span<const Point3> sites, const Margin& margin = {});
 
 /// Which parts of a Diagram3 to compute; parts left out cost no time.
 enum class Detail3 : std::uint8_t {
@@ -99,6 +100,11 @@ enum class Pattern3 : std::uint8_t {
 /// Returns about n sites of a pattern (exactly n except for lattices), n >= 1. Sites of lattices do not
 /// depend on seed.
 Sites3 generate(Pattern3 pattern, std::uint64_t n, std::uint64_t seed);
+
+/// The same over a whole box, whose sides are finite and positive. Lattices, and the cubes of `jitter`, are
+/// as nearly cubic as whole numbers of their cells along the three axes allow; the radius of the sphere is
+/// 0.4 of the shortest side.
+Sites3 generate(Pattern3 pattern, std::uint64_t n, std::uint64_t seed, const Box3& box);
 
 /// The same checks as check() of the plane, for cells in space, without any of the code that computes them:
 /// statuses and owners; volumes that add up to the domain's (to 1e-12); area vectors of each cell that add up

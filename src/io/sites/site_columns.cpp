@@ -101,8 +101,8 @@ CoordinateKind kindOf(std::span<const std::string> names, std::size_t x, std::si
   return one ? of_x->kind : CoordinateKind::unknown;
 }
 
-/// Finds x, y and possibly a weight; or a single column of WKT.
-Found chosenColumns(std::span<const std::string> names, std::span<const std::string> chosen) {
+/// Finds x, y and possibly a weight; or a single column of WKT. In space finds x, y and z.
+Found chosenColumns(std::span<const std::string> names, std::span<const std::string> chosen, Third third) {
   std::vector<std::size_t> found;
   for (const std::string& text : chosen) {
     VORPIPE_LET(column, chosenColumn(names, text));
@@ -112,6 +112,15 @@ Found chosenColumns(std::span<const std::string> names, std::span<const std::str
     found.push_back(column);
   }
   CsvColumns columns;
+  if (third == Third::z) {
+    if (found.size() != 3)
+      return problem(0, fmt::format("{} columns are chosen; x, y and z are 3", found.size()));
+    columns.x = found[0];
+    columns.y = found[1];
+    columns.weight = found[2];
+    columns.kind = of_plane;
+    return columns;
+  }
   if (found.size() == 1) {
     columns.geometry = found[0];
     return columns;
@@ -165,6 +174,32 @@ tl::expected<void, ColumnProblem> findPositions(std::span<const std::string> nam
                              headerText(names), !*x ? "x" : "y"));
 }
 
+/// Finds x, y and z by the header.
+Found columnsInSpace(std::span<const std::string> names) {
+  CsvColumns columns;
+  columns.kind = of_plane;
+  for (const auto& [name, column] : {std::pair("x", &columns.x), {"y", &columns.y}, {"z", &columns.weight}}) {
+    VORPIPE_VAR(found, exactly(names, name));
+    if (!found) {
+      VORPIPE_LET(other, onlyColumn(names, [&](const std::string& of) { return lowerCase(of) == name; }));
+      found = other;
+    }
+    *column = found;
+    if (found) continue;
+    return problem(0,
+                   fmt::format("the header {} names no column \"{}\"; the first line must name the columns, "
+                               "as in \"x,y,z\", or --columns says which they are",
+                               headerText(names), name));
+  }
+  for (std::size_t k = 0; k < names.size(); ++k) {
+    if (!weightNamed(names[k], false)) continue;
+    return problem(k, fmt::format("column {} would weigh the sites, and cells in space have no weights; "
+                                  "--columns x,y,z makes it an attribute",
+                                  inQuotes(names[k])));
+  }
+  return columns;
+}
+
 /// Notes the columns with other names that are taken for x, y, weight or radius.
 std::string noteOf(std::span<const std::string> names, const CsvColumns& columns) {
   std::vector<std::string> called, meaning;
@@ -200,8 +235,9 @@ tl::expected<double, std::string> weightOf(WeightKind kind, double number, std::
   return tl::unexpected("the square of " + inQuotes(text) + " is out of the range of a double");
 }
 
-Found namedColumns(std::span<const std::string> names, std::span<const std::string> chosen) {
-  if (!chosen.empty()) return chosenColumns(names, chosen);
+Found namedColumns(std::span<const std::string> names, std::span<const std::string> chosen, Third third) {
+  if (!chosen.empty()) return chosenColumns(names, chosen, third);
+  if (third == Third::z) return columnsInSpace(names);
   CsvColumns columns;
   VORPIPE_TRY(findPositions(names, columns));
   VORPIPE_TRY(findWeight(names, columns));
@@ -216,12 +252,20 @@ bool anyKnownColumn(std::span<const std::string> names) {
   });
 }
 
-Found unnamedColumns(std::size_t count, bool third_is_number, std::span<const std::string> chosen) {
+Found unnamedColumns(std::size_t count, bool third_is_number, std::span<const std::string> chosen,
+                     Third third) {
   const std::vector<std::string> none(count);
-  if (!chosen.empty()) return chosenColumns(none, chosen);
+  if (!chosen.empty()) return chosenColumns(none, chosen, third);
   CsvColumns columns;
   columns.x = 0;
   columns.y = 1;
+  if (third == Third::z) {
+    if (count < 3 || !third_is_number) return problem(count < 3 ? 0 : 2, "the row has no x, y and z");
+    columns.weight = 2;
+    columns.kind = of_plane;
+    columns.note = "there is no header: columns 1, 2 and 3 are taken as x, y and z";
+    return columns;
+  }
   columns.note = "there is no header: columns 1 and 2 are taken as x and y";
   if (count == 3 && third_is_number) {
     columns.weight = 2;
@@ -241,7 +285,7 @@ std::optional<std::pair<std::size_t, std::size_t>> positionsWithoutHeader(
 }
 
 Result<std::vector<std::size_t>> numberedColumns(std::span<const std::string> columns, std::size_t count,
-                                                 std::string_view name) {
+                                                 std::string_view name, Third third) {
   std::vector<std::size_t> chosen;
   for (const std::string& column : columns) {
     const auto number = wholeNumber<std::size_t>(column);
@@ -257,6 +301,8 @@ Result<std::vector<std::size_t>> numberedColumns(std::span<const std::string> co
     }
     chosen.push_back(*number - 1);
   }
+  if (third == Third::z && chosen.size() != 3)
+    return inputError(fmt::format("{}: the columns of x, y and z are needed, as in 1,2,3", name));
   if (chosen.size() == 2 || chosen.size() == 3) return chosen;
   return inputError(fmt::format("{}: two or three columns are needed, as in 1,2 or 1,2,3", name));
 }

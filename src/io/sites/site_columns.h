@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "io/base/coordinate_system.h"
+#include "io/sites/sites_file.h"
 #include "vorpipe.h"
 
 namespace vorpipe {
@@ -34,7 +35,7 @@ tl::expected<double, std::string> weightOf(WeightKind kind, double number, std::
 struct CsvColumns {
   std::optional<std::size_t> x, y;      ///< both or none
   std::optional<std::size_t> geometry;  ///< of WKT; if there is no x and y
-  std::optional<std::size_t> weight;
+  std::optional<std::size_t> weight;    ///< or z
   WeightKind weight_kind = WeightKind::weight;
   CoordinateKind kind = CoordinateKind::unknown;  ///< as their names imply
   std::string note;                               ///< what was reinterpreted; empty: nothing
@@ -50,10 +51,11 @@ struct ColumnProblem {
 };
 
 /// Returns the columns that a header names: x and y; else longitude and latitude or easting and northing, or
-/// a column of WKT, by their usual names in any case. `chosen` are the columns named by --columns, used
-/// instead.
+/// a column of WKT, by their usual names in any case. In space, x, y and z; a weight is an error. `chosen`
+/// are the columns named by --columns, used instead.
 tl::expected<CsvColumns, ColumnProblem> namedColumns(std::span<const std::string> names,
-                                                     std::span<const std::string> chosen);
+                                                     std::span<const std::string> chosen,
+                                                     Third third = Third::weight);
 
 /// Whether any of the names identifies what its column holds: a coordinate, geometries or a weight.
 bool anyKnownColumn(std::span<const std::string> names);
@@ -61,15 +63,16 @@ bool anyKnownColumn(std::span<const std::string> names);
 /// Returns the columns of a table without a header, by their number and whether the third begins with a
 /// number.
 tl::expected<CsvColumns, ColumnProblem> unnamedColumns(std::size_t count, bool third_is_number,
-                                                       std::span<const std::string> chosen);
+                                                       std::span<const std::string> chosen,
+                                                       Third third = Third::weight);
 
 /// Returns the two columns of x and y if there is no header; none if `chosen` has names.
 std::optional<std::pair<std::size_t, std::size_t>> positionsWithoutHeader(
     std::span<const std::string> chosen);
 
-/// Returns the unnamed columns of x, y and possibly weights, from 0. Errors (input), beginning with `name`:
-/// they are not two or three different numbers from 1 to `count`.
+/// Returns the unnamed columns of x, y and possibly weights, or of x, y and z, from 0. Errors (input),
+/// beginning with `name`: they are not so many different numbers from 1 to `count`.
 Result<std::vector<std::size_t>> numberedColumns(std::span<const std::string> columns, std::size_t count,
-                                                 std::string_view name);
+                                                 std::string_view name, Third third = Third::weight);
 
 }  // namespace vorpipe

@@ -105,8 +105,8 @@ class CsvSites {
     const bool header = !places || !isNumber(places->first) || !isNumber(places->second);
     names_.resize(csv_.fields());
     for (std::size_t k = 0; k < names_.size() && header; ++k) names_[k] = text_.of(csv_, k);
-    auto columns = header ? namedColumns(names_, options_.columns)
-                          : unnamedColumns(names_.size(), isNumber(2), options_.columns);
+    auto columns = header ? namedColumns(names_, options_.columns, options_.third)
+                          : unnamedColumns(names_.size(), isNumber(2), options_.columns, options_.third);
     if (!columns) return csv_.errorAt(columns.error().column, columns.error().what);
     columns_ = std::move(*columns);
     table_.system().kind = columns_.kind;
@@ -114,6 +114,9 @@ class CsvSites {
     for (std::size_t k = 0; k < names_.size(); ++k) {
       if (names_[k].empty()) names_[k] = fmt::format("column_{}", k + 1);
       if (columns_.has(k)) continue;
+      if (lowerCase(names_[k]) == "z" && !options_.advice_on_z.empty())
+        table_.note(
+            fmt::format("column {} is no place in the plane{}", inQuotes(names_[k]), options_.advice_on_z));
       attributes_.push_back({k, table_.attributes().newColumn(names_[k])});
       if (options_.needed && lowerCase(names_[k]) == lowerCase(options_.needed->name) &&
           names_[needed_] != options_.needed->name) {

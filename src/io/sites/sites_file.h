@@ -25,6 +25,12 @@ struct NeededAttribute {
   bool unique = false;  ///< whether each site must have another value
 };
 
+/// What the third number of a site is.
+enum class Third : std::uint8_t {
+  weight,
+  z,  ///< required: of sites in space, for readSpaceSites(); readers put it where weights are
+};
+
 /// How to read a file with sites, if the file does not define it.
 struct ReadOptions {
   /// The kind of file by its extension, without the dot: "csv", "geojson". Empty: the path's own; "csv" for
@@ -37,6 +43,9 @@ struct ReadOptions {
   bool skip_missing = false;  ///< leaves out rows without a place, or with an empty weight, and counts them
   bool attributes = true;     ///< whether attributes are kept
   std::optional<NeededAttribute> needed{};  ///< if there is one of that name; it is kept
+  Third third = Third::weight;
+  /// Ends the note that a column named z is no place of a site in the plane; empty: there is no note.
+  std::string advice_on_z{};
 };
 
 struct SiteTable {

@@ -23,7 +23,8 @@ constexpr std::uint64_t most_columns = 1 << 20;
 
 /// `columns` are those of x, y and perhaps weight.
 Result<void> readElements(InputFile& file, const NpyHeader& header, const std::vector<std::size_t>& columns,
-                          Sites& sites) {
+                          std::span<const std::string_view> names, Sites& sites) {
+  // In space z takes the place of weights.
   const std::array<std::vector<double>*, 3> into = {&sites.x, &sites.y, &sites.weight};
   const std::uint64_t row_count = header.shape[0], column_count = header.shape[1];
   // For each column of the file: its index in site_numbers; their count if it is none.
@@ -37,7 +38,7 @@ Result<void> readElements(InputFile& file, const NpyHeader& header, const std::v
     if (used < site_numbers.size() && !std::isfinite(value)) {
       return inputError(
           fmt::format("{}: element [{}, {}] (counted from 0; column {}) is {}, not a finite number",
-                      file.name(), row, column, site_numbers[used], value));
+                      file.name(), row, column, names[used], value));
     }
     if (used < site_numbers.size()) into[used]->push_back(value);
     std::uint64_t& inner = header.fortran_order ? row : column;
@@ -56,7 +57,17 @@ Result<std::vector<std::size_t>> columnsOf(const NpyHeader& header, const ReadOp
                                            const std::string& name) {
   const auto& shape = header.shape;
   const bool table = areNumbers(header) && shape.size() == 2 && shape[1] <= most_columns;
-  if (!options.columns.empty() && table) return numberedColumns(options.columns, shape[1], name);
+  if (!options.columns.empty() && table)
+    return numberedColumns(options.columns, shape[1], name, options.third);
+  if (options.third == Third::z && !(table && shape[1] == 3)) {
+    return inputError(
+        fmt::format("{}: holds {}; numbers (N, 3), float32, float64 or whole ones, are needed "
+                    "in space{}{}",
+                    name, header.description, table ? ", or --columns" : "",
+                    table && shape[1] == 4 ? " 1,2,3: the fourth would be weights, which cells "
+                                             "in space do not have"
+                                           : ""));
+  }
   if (!table || (shape[1] != 2 && shape[1] != 3)) {
     return inputError(
         fmt::format("{}: holds {}; numbers (N, 2) or (N, 3), float32, float64 or whole ones, are needed{}",
@@ -77,8 +88,8 @@ Result<SiteTable> readNpySites(InputFile file, const ReadOptions& options) {
   const auto room = checkRoom(file.name(), what, header.shape[0] * columns.size() * sizeof(double));
   if (!room) return tl::unexpected(room.error());
   SiteTable table;
-  VORPIPE_TRY(readElements(file, header, columns, table.sites));
-  if (options.columns.empty() && columns.size() == site_numbers.size()) {
+  VORPIPE_TRY(readElements(file, header, columns, namesOf(options.third), table.sites));
+  if (options.third == Third::weight && options.columns.empty() && columns.size() == site_numbers.size()) {
     table.notes.push_back(fmt::format("{}: {}", file.name(), third_is_weight));
   }
   return table;

@@ -19,7 +19,12 @@
 namespace vorpipe {
 
 /// The values of a site in a row of only numbers, in order.
-inline constexpr std::array<std::string_view, 3> site_numbers = {"x", "y", "weight"};
+inline constexpr std::array<std::string_view, 3> site_numbers = {"x", "y", "weight"},
+                                                 space_numbers = {"x", "y", "z"};
+
+constexpr const std::array<std::string_view, 3>& namesOf(Third third) {
+  return third == Third::z ? space_numbers : site_numbers;
+}
 
 /// The note about three unnamed columns.
 inline constexpr std::string_view third_is_weight =

@@ -3,12 +3,14 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <cstdint>
 #include <optional>
 #include <string_view>
 #include <utility>
 #include <vector>
 
 #include "base/try.h"
+#include "base/words.h"
 #include "io/base/error.h"
 #include "io/base/line_reader.h"
 #include "io/base/number.h"
@@ -50,6 +52,8 @@ bool isNotFinite(std::string_view field) {
   return word == "nan" || word == "inf" || word == "infinity";
 }
 
+/// Also reads the .xyz of chemistry in space: the number of sites, a comment, and lines of an element, x, y,
+/// z and perhaps more.
 class TextSites {
  public:
   TextSites(LineReader lines, const ReadOptions& options)
@@ -57,7 +61,14 @@ class TextSites {
 
   Result<SiteTable> read() {
     while (true) {
+      if (expected_ && rows_ == *expected_) {
+        VORPIPE_TRY(noteRest());
+        return table_.finish();
+      }
       VORPIPE_LET(line, lines_.next());
+      if (!line && expected_) {
+        return inputError(fmt::format("{}: ends after {} of {} sites", lines_.name(), rows_, *expected_));
+      }
       if (!line) return table_.finish();
       if (const auto column = split(*line, fields_)) {
         return lines_.errorAt(*column,
@@ -65,7 +76,12 @@ class TextSites {
                               "commas are decimal; keep one of them, and write 1.5, not 1,5");
       }
       if (fields_.empty()) continue;
+      if (beginsFrame()) {
+        VORPIPE_TRY(readComment());
+        continue;
+      }
       VORPIPE_TRY(readRow(*line));
+      ++rows_;
     }
   }
 
@@ -77,10 +93,51 @@ class TextSites {
            });
   }
 
+  /// Whether the first row is a number of sites, which a comment follows.
+  [[nodiscard]] bool beginsFrame() {
+    if (options_.third != Third::z || count_ > 0 || expected_ || fields_.size() != 1) return false;
+    expected_ = wholeNumber<std::uint64_t>(fields_[0]);
+    return expected_.has_value();
+  }
+
+  Result<void> readComment() {
+    VORPIPE_LET(comment, lines_.next());
+    if (comment && comment->find("Lattice=") != std::string_view::npos)
+      table_.note("its lattice is not used: cells in space have no periods");
+    return {};
+  }
+
+  /// Notes that more follows than the sites that were announced.
+  Result<void> noteRest() {
+    while (true) {
+      VORPIPE_LET(line, lines_.next());
+      if (!line) return {};
+      if (trimmed(*line).empty()) continue;
+      table_.note(fmt::format("what follows its first {} sites is not read", *expected_));
+      return {};
+    }
+  }
+
+  /// Takes from the first row of a frame what applies to all.
+  Result<void> readFirstOfFrame() {
+    constexpr std::size_t fewest = 4;
+    if (count_ < fewest || !options_.columns.empty()) {
+      return lines_.errorAt(
+          1, options_.columns.empty()
+                 ? fmt::format("the row has {} fields; an element, x, y and z are needed", count_)
+                 : "of a file of elements and positions no columns are chosen");
+    }
+    columns_ = {1, 2, 3};
+    attributes_.emplace_back(0, table_.attributes().newColumn("element"));
+    for (std::size_t k = fewest; k < count_; ++k)
+      attributes_.emplace_back(k, table_.attributes().newColumn(fmt::format("column_{}", k + 1)));
+    return {};
+  }
+
   /// Takes from a header what applies to all rows.
   Result<void> readHeader() {
     const std::vector<std::string> names(fields_.begin(), fields_.end());
-    auto columns = namedColumns(names, options_.columns);
+    auto columns = namedColumns(names, options_.columns, options_.third);
     if (!columns) return lines_.errorAt(1, columns.error().what);
     if (!columns->x) return lines_.errorAt(1, "a column of WKT has blanks of its own, which separate fields");
     columns_ = {*columns->x, *columns->y};
@@ -97,17 +154,23 @@ class TextSites {
   /// Takes from the first row what applies to all.
   Result<void> readFirst() {
     count_ = fields_.size();
+    if (expected_) return readFirstOfFrame();
+    const bool space = options_.third == Third::z;
+    if (options_.columns.empty() && space && count_ != space_numbers.size()) {
+      return lines_.errorAt(1, fmt::format("the row has {} field{}; x y z is needed, or --columns", count_,
+                                           count_ == 1 ? "" : "s"));
+    }
     if (options_.columns.empty()) {
       if (count_ < 2 || count_ > site_numbers.size()) {
         return lines_.errorAt(
             1, fmt::format("the row has {} field{}; x y or x y weight is needed, or --columns", count_,
                            count_ == 1 ? "" : "s"));
       }
-      if (count_ == site_numbers.size()) table_.note(third_is_weight);
+      if (count_ == site_numbers.size() && !space) table_.note(third_is_weight);
       for (std::size_t k = 0; k < count_; ++k) columns_.push_back(k);
       return {};
     }
-    VORPIPE_VAR(columns, numberedColumns(options_.columns, count_, lines_.name()));
+    VORPIPE_VAR(columns, numberedColumns(options_.columns, count_, lines_.name(), options_.third));
     columns_ = std::move(columns);
     // Columns left out by number need no note.
     for (std::size_t k = 0; k < count_ && options_.attributes; ++k) {
@@ -118,7 +181,7 @@ class TextSites {
   }
 
   Result<void> readRow(std::string_view line) {
-    if (count_ == 0 && isHeader()) {
+    if (count_ == 0 && !expected_ && isHeader()) {
       count_ = fields_.size();
       return readHeader();
     }
@@ -138,7 +201,7 @@ class TextSites {
             isMissingValue(field) ? table_.addMissingValue(field) : RowProblem(number.error());
         if (!missing) return {};
         const auto column = static_cast<std::size_t>(field.data() - line.data()) + 1;
-        return lines_.errorAt(column, fmt::format("{} (column {})", *missing, site_numbers[i]));
+        return lines_.errorAt(column, fmt::format("{} (column {})", *missing, namesOf(options_.third)[i]));
       }
       value[i] = *number;
     }
@@ -162,7 +225,9 @@ class TextSites {
   const ReadOptions& options_;
   TableBuilder table_;
   std::vector<std::string_view> fields_;
-  std::size_t count_ = 0;             ///< of fields in each row; 0 before the first
+  std::size_t count_ = 0;                  ///< of fields in each row; 0 before the first
+  std::optional<std::uint64_t> expected_;  ///< sites, if the file says how many
+  std::uint64_t rows_ = 0;
   std::vector<std::size_t> columns_;  ///< of x, y and perhaps weight
   WeightKind weight_kind_ = WeightKind::weight;
   std::vector<std::pair<std::size_t, std::size_t>>

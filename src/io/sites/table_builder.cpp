@@ -213,9 +213,9 @@ SiteTable TableBuilder::finish() {
   if (const auto what = settleDegrees(table_.sites, table_.system); !what.empty()) note(what);
   if (heights_) note("of positions x and y are taken, and nothing of their other numbers");
   if (table_.skipped > 0) {
-    note(fmt::format("{} row{} without a place or a weight{} {} left out", table_.skipped,
-                     table_.skipped == 1 ? "" : "s", needed_ ? " or " + inQuotes(needed_->name) : "",
-                     table_.skipped == 1 ? "is" : "are"));
+    note(fmt::format("{} row{} without a place{}{} {} left out", table_.skipped,
+                     table_.skipped == 1 ? "" : "s", third_ == Third::z ? "" : " or a weight",
+                     needed_ ? " or " + inQuotes(needed_->name) : "", table_.skipped == 1 ? "is" : "are"));
   }
   if (!attributes_.kept() && attributes_.size() > 0) note("not used: " + listed(attributes_));
   table_.attributes = attributes_.take();

@@ -92,6 +92,7 @@ class TableBuilder {
   TableBuilder(std::string name, const ReadOptions& options)
       : name_(std::move(name)),
         skip_missing_(options.skip_missing),
+        third_(options.third),
         needed_(options.needed),
         attributes_(options.attributes) {}
 
@@ -135,6 +136,7 @@ class TableBuilder {
 
   std::string name_;
   bool skip_missing_;
+  Third third_;
   std::optional<NeededAttribute> needed_;
   bool refused_needed_ = false, has_needed_ = false;
   std::string place_;                                      ///< of the row, if values must be unique
