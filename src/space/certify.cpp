@@ -29,7 +29,7 @@ class Certifier {
     if (face_areas) found_.face_areas.resize(bins.sites.size());
   }
 
-  Result<CertifiedCells> run(const Progress& progress) {
+  Result<CertifiedRows> run(const Progress& progress) {
     const auto stopped = [&progress](double part) { return progress && !progress("cells", part); };
     const Error cancelled{ErrorCode::cancelled, "stopped"};
     propose();
@@ -223,7 +223,7 @@ class Certifier {
   Places places_;
   bool face_areas_;
   int threads_;
-  CertifiedCells found_;
+  CertifiedRows found_;
   std::vector<std::uint8_t> careful_, exact_;  ///< by site
   Sites disputed_;
   std::mutex mutex_;
@@ -231,7 +231,7 @@ class Certifier {
 
 }  // namespace
 
-Result<CertifiedCells> certify(const SiteBins& bins, bool face_areas, const Progress& progress, int threads) {
+Result<CertifiedRows> certify(const SiteBins& bins, bool face_areas, const Progress& progress, int threads) {
   return Certifier(bins, face_areas, threads).run(progress);
 }
 

@@ -12,8 +12,8 @@
 
 namespace vorpipe::space {
 
-struct CertifiedCells {
-  explicit CertifiedCells(std::size_t sites) : rows(sites), measures(sites) {}
+struct CertifiedRows {
+  explicit CertifiedRows(std::size_t sites) : rows(sites), measures(sites) {}
   Rows rows;                             ///< no faces: the site has no cell
   std::vector<CellMeasures> measures;    ///< by site; not of those in `careful`
   std::vector<std::vector<double>> face_areas;  ///< by site, by face; likewise. Empty unless asked for
@@ -24,6 +24,6 @@ struct CertifiedCells {
 
 /// Errors: progress asked to stop (cancelled); cells that remain in dispute, which is a fault of vorpipe
 /// (device).
-Result<CertifiedCells> certify(const SiteBins& bins, bool face_areas, const Progress& progress, int threads);
+Result<CertifiedRows> certify(const SiteBins& bins, bool face_areas, const Progress& progress, int threads);
 
 }  // namespace vorpipe::space
