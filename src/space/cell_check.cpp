@@ -142,7 +142,8 @@ bool CellCheck::takeRow() {
 template <class Index, class Begin, class Entry>
 bool CellCheck::takeRingsOf(Index& vertex_of, const Begin* begin, const Entry* rings) {
   using Vertex = std::remove_reference_t<decltype(vertex_of.at(0, 0))>;
-  auto *const first = corners_.data(), *const second = first + vertex_room_, *const third = second + vertex_room_;
+  auto *const first = corners_.data(), *const second = first + vertex_room_,
+              *const third = second + vertex_room_;
   const std::size_t faces = row_.faces;
   std::size_t vertices = 0, edges = 0;
   for (std::size_t a = 0; a < faces; ++a) {
@@ -162,7 +163,8 @@ bool CellCheck::takeRingsOf(Index& vertex_of, const Begin* begin, const Entry* r
         vertex_of.at(a, b) = on_b = on_c = static_cast<Vertex>(vertices++);
         continue;
       }
-      // The vertex was found on another of its faces: it must be of these three, and follow them the same way.
+      // The vertex was found on another of its faces: it must be of these three, and follow them the same
+      // way.
       if (vertex_of.at(b, c) != here || vertex_of.at(c, a) != here) return false;
     }
   }

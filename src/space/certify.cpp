@@ -24,8 +24,13 @@ void sortUnique(Sites& sites) {
 class Certifier {
  public:
   Certifier(const SiteBins& bins, bool face_areas, int threads)
-      : bins_(bins), places_(bins.places()), face_areas_(face_areas), threads_(threads), found_(bins.sites.size()),
-        careful_(bins.sites.size(), 0), exact_(bins.sites.size(), 0) {
+      : bins_(bins),
+        places_(bins.places()),
+        face_areas_(face_areas),
+        threads_(threads),
+        found_(bins.sites.size()),
+        careful_(bins.sites.size(), 0),
+        exact_(bins.sites.size(), 0) {
     if (face_areas) found_.face_areas.resize(bins.sites.size());
   }
 
@@ -42,7 +47,7 @@ class Certifier {
       if (stopped(0.6)) return tl::unexpected(cancelled);
       check(which);
       if (disputed_.empty()) {
-        if (oneSheet() && nobodyForgotten()) break;
+        if (cellsOfCorner(found_.rows) == 1 && !forgetsSite(places_, found_.rows, exact_)) break;
         if (all) return tl::unexpected(remains("the cells do not cover the box once"));
         all = true;
         disputed_.resize(bins_.sites.size());
@@ -51,8 +56,8 @@ class Certifier {
       const std::uint32_t first = disputed_.front();
       std::erase_if(disputed_, [this](std::uint32_t i) { return exact_[i] != 0; });
       if (disputed_.empty()) {
-        return tl::unexpected(remains("the cell of site " + std::to_string(bins_.input[first]) +
-                                      " remains in dispute"));
+        return tl::unexpected(
+            remains("the cell of site " + std::to_string(bins_.input[first]) + " remains in dispute"));
       }
       which = around(disputed_);
       recompute();
@@ -128,13 +133,15 @@ class Certifier {
         if (cell.empty()) continue;
         neighbors.clear();
         vertices.clear();
-        for (const auto& corner : cell.vertices()) neighbors.insert(neighbors.end(), corner.begin(), corner.end());
+        for (const auto& corner : cell.vertices())
+          neighbors.insert(neighbors.end(), corner.begin(), corner.end());
         std::ranges::sort(neighbors);
         neighbors.erase(std::ranges::unique(neighbors).begin(), neighbors.end());
         for (const auto& corner : cell.vertices()) {
           std::array<std::uint32_t, 3> faces{};
           for (std::size_t e = 0; e < 3; ++e) {
-            faces[e] = static_cast<std::uint32_t>(std::ranges::lower_bound(neighbors, corner[e]) - neighbors.begin());
+            faces[e] = static_cast<std::uint32_t>(std::ranges::lower_bound(neighbors, corner[e]) -
+                                                  neighbors.begin());
           }
           vertices.push_back(faces);
         }
@@ -190,35 +197,6 @@ class Certifier {
     return all;
   }
 
-  /// Condition C4: the corner of xmin, ymin and zmin is in exactly one cell.
-  [[nodiscard]] bool oneSheet() const {
-    std::size_t cells = 0;
-    for (std::size_t site = 0; site < found_.rows.size(); ++site) {
-      const Row row = found_.rows[site];
-      const std::size_t x = row.faceOf(labelOfWall(0)), y = row.faceOf(labelOfWall(2)), z = row.faceOf(labelOfWall(4));
-      if (x == row.faces || y == row.faces || z == row.faces) continue;
-      const Ring ring = row.ring(x);
-      for (std::size_t k = 0; k < ring.size(); ++k) {
-        const std::size_t b = ring[k], c = ring[k + 1 == ring.size() ? 0 : k + 1];
-        cells += (b == y && c == z) || (b == z && c == y) ? 1 : 0;
-      }
-    }
-    return cells == 1;
-  }
-
-  /// Condition C5: who has no cell was computed exactly, and lies outside the box.
-  [[nodiscard]] bool nobodyForgotten() const {
-    for (std::size_t site = 0; site < found_.rows.size(); ++site) {
-      if (found_.rows[site].faces != 0) continue;
-      const Point3& p = bins_.sites[site];
-      const Box3& box = bins_.box;
-      const bool outside = p.x < box.xmin || p.x > box.xmax || p.y < box.ymin || p.y > box.ymax ||
-                           p.z < box.zmin || p.z > box.zmax;
-      if (exact_[site] == 0 || !outside) return false;
-    }
-    return true;
-  }
-
   const SiteBins& bins_;
   Places places_;
   bool face_areas_;
@@ -230,6 +208,34 @@ class Certifier {
 };
 
 }  // namespace
+
+std::size_t cellsOfCorner(const Rows& rows) {
+  std::size_t cells = 0;
+  for (std::size_t site = 0; site < rows.size(); ++site) {
+    const Row row = rows[site];
+    const std::size_t x = row.faceOf(labelOfWall(0)), y = row.faceOf(labelOfWall(2)),
+                      z = row.faceOf(labelOfWall(4));
+    if (x == row.faces || y == row.faces || z == row.faces) continue;
+    const Ring ring = row.ring(x);
+    for (std::size_t k = 0; k < ring.size(); ++k) {
+      const std::size_t b = ring[k], c = ring[k + 1 == ring.size() ? 0 : k + 1];
+      cells += (b == y && c == z) || (b == z && c == y) ? 1 : 0;
+    }
+  }
+  return cells;
+}
+
+bool forgetsSite(const Places& places, const Rows& rows, std::span<const std::uint8_t> exact) {
+  const Box3& box = places.box;
+  for (std::size_t site = 0; site < rows.size(); ++site) {
+    if (rows[site].faces != 0) continue;
+    const Point3& p = places.sites[site];
+    const bool outside = p.x < box.xmin || p.x > box.xmax || p.y < box.ymin || p.y > box.ymax ||
+                         p.z < box.zmin || p.z > box.zmax;
+    if (exact[site] == 0 || !outside) return true;
+  }
+  return false;
+}
 
 Result<CertifiedRows> certify(const SiteBins& bins, bool face_areas, const Progress& progress, int threads) {
   return Certifier(bins, face_areas, threads).run(progress);

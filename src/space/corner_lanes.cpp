@@ -55,14 +55,15 @@ void placeVertices(CornerJob& job, std::size_t v, std::size_t count) {
   store(job.x + v, x);
   store(job.y + v, y);
   store(job.z + v, z);
-  // The determinant has the sign that is seen beyond 8 rounding errors of that product, and a place an error of
-  // k (16 sum h / m + 10 R) of them, where k is the product over the determinant and R the place's length: see
-  // docs/space-algorithm.md. Lengths of edges take 8 R more.
+  // The determinant has the sign that is seen beyond 8 rounding errors of that product, and a place an error
+  // of k (16 sum h / m + 10 R) of them, where k is the product over the determinant and R the place's length:
+  // see docs/space-algorithm.md. Lengths of edges take 8 R more.
   const Reals condition = product * inverse;
   const Reals length = magnitude(x) + magnitude(y) + magnitude(z);
   const Reals error =
-      rounding * (condition * (16 * (magnitude(ah) / am + magnitude(bh) / bm + magnitude(ch) / cm) + 10 * length) +
-                  8 * length);
+      rounding *
+      (condition * (16 * (magnitude(ah) / am + magnitude(bh) / bm + magnitude(ch) / cm) + 10 * length) +
+       8 * length);
   const Truths turned = ~(det > 8 * rounding * product);
   const Truths bad = turned | ~(condition <= worst_condition);
   store(job.error + v, bad ? Reals{} + __builtin_inf() : error);
@@ -73,7 +74,8 @@ void placeVertices(CornerJob& job, std::size_t v, std::size_t count) {
 }
 
 /// The edges e .. e + 7. Adds what the measures take.
-void proveEdges(CornerJob& job, std::size_t e, std::size_t count, double* area_a, double* area_b, Vectors& moment) {
+void proveEdges(CornerJob& job, std::size_t e, std::size_t count, double* area_a, double* area_b,
+                Vectors& moment) {
   const Vectors a = gather(job, job.a + e), b = gather(job, job.b + e);
   const Vectors u{gather(job.x, job.from + e), gather(job.y, job.from + e), gather(job.z, job.from + e)};
   const Vectors w{gather(job.x, job.to + e), gather(job.y, job.to + e), gather(job.z, job.to + e)};

@@ -13,7 +13,8 @@ namespace {
 /// Sites by ascending distance from one of them: the bins around it in shells of cubes.
 class Outward {
  public:
-  Outward(const SiteBins& bins, Label site) : bins_(bins), site_(site), from_(bins.sites[static_cast<std::size_t>(site)]) {
+  Outward(const SiteBins& bins, Label site)
+      : bins_(bins), site_(site), from_(bins.sites[static_cast<std::size_t>(site)]) {
     const auto bin = bins.binOf(from_);
     for (std::size_t a = 0; a < 3; ++a) {
       bin_[a] = bin[a];

@@ -6,7 +6,7 @@
 namespace vorpipe::space {
 
 // Compiled from polyhedron_lanes.cpp and corner_lanes.cpp; see CMakeLists.txt.
-#define VORPIPE_PROPOSE(name)                                                            \
+#define VORPIPE_PROPOSE(name)                                                     \
   void name(const LaneBins& bins, std::uint32_t bin_begin, std::uint32_t bin_end, \
             void (*take)(void*, std::uint32_t, const ProposedCell&), void* context)
 VORPIPE_PROPOSE(proposeIn4Lanes);

@@ -1,4 +1,5 @@
-/// Proposes cells in space: one after another, with their vertices side by side (shaders/glsl/polyhedron.glsl).
+/// Proposes cells in space: one after another, with their vertices side by side
+/// (shaders/glsl/polyhedron.glsl).
 #pragma once
 
 #include <cstddef>

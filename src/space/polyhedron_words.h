@@ -11,15 +11,16 @@
 #define SLOTS 64
 #define LANES VORPIPE_LANES
 #define MASK std::uint64_t
-#define NO_SLOT std::uint64_t{0}
+#define NO_SLOT \
+  std::uint64_t { 0 }
 #define SLOT(k) (std::uint64_t{1} << (k))
 #define ANY_OF(m) ((m) != 0)
 #define COUNT(m) __builtin_popcountll(m)
 #define LOWEST(m) __builtin_ctzll(m)
-#define BALLOT(condition, block) (static_cast<std::uint64_t>(truths(condition)) << ((block) * LANES))
+#define BALLOT(condition, block) (static_cast<std::uint64_t>(truths(condition)) << ((block)*LANES))
 #define BLOCKS(m) ((63 + LANES - __builtin_clzll(m)) / LANES)
-#define LOAD(array, block) load((array) + (block) * LANES)
-#define STORE(array, block, value) store((array) + (block) * LANES, value)
+#define LOAD(array, block) load((array) + (block)*LANES)
+#define STORE(array, block, value) store((array) + (block)*LANES, value)
 #define NO_REAL (lane_real{})
 #define GREATER(a, b) ((a) > (b) ? (a) : (b))
 #define GREATEST(value) greatest(value)
@@ -74,7 +75,8 @@ inline std::uint32_t truths(const lane_truth& all) {
 inline float greatest(const lane_real& all) {
   lane_real most = all;
 #if VORPIPE_LANES == 16
-  most = GREATER(most, __builtin_shufflevector(most, most, 8, 9, 10, 11, 12, 13, 14, 15, 0, 1, 2, 3, 4, 5, 6, 7));
+  most = GREATER(most,
+                 __builtin_shufflevector(most, most, 8, 9, 10, 11, 12, 13, 14, 15, 0, 1, 2, 3, 4, 5, 6, 7));
   most = GREATER(most, __builtin_shufflevector(most, most, 4, 5, 6, 7, 0, 1, 2, 3, 4, 5, 6, 7, 0, 1, 2, 3));
   most = GREATER(most, __builtin_shufflevector(most, most, 2, 3, 0, 1, 2, 3, 0, 1, 2, 3, 0, 1, 2, 3, 0, 1));
 #elif VORPIPE_LANES == 8

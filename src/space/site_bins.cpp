@@ -106,10 +106,11 @@ std::vector<std::uint32_t> sortByBin(SiteBins& bins, std::span<const Point3> sit
   BigVector<std::uint32_t> bin_of(sites.size());
   parallelEach(sites.size(), grain, threads, [&](std::size_t i) {
     const auto [x, y, z] = bins.binOf(sites[i]);
-    bin_of[i] = static_cast<std::uint32_t>((static_cast<std::size_t>(z) * static_cast<std::size_t>(bins.count[1]) +
-                                            static_cast<std::size_t>(y)) *
-                                               static_cast<std::size_t>(bins.count[0]) +
-                                           static_cast<std::size_t>(x));
+    bin_of[i] =
+        static_cast<std::uint32_t>((static_cast<std::size_t>(z) * static_cast<std::size_t>(bins.count[1]) +
+                                    static_cast<std::size_t>(y)) *
+                                       static_cast<std::size_t>(bins.count[0]) +
+                                   static_cast<std::size_t>(x));
   });
   bins.begin.assign(bin_count + 1, 0);
   for (const std::uint32_t bin : bin_of) ++bins.begin[bin + 1];

@@ -15,9 +15,9 @@ namespace vorpipe::space {
 
 /// Sites of the caller as a run uses them.
 struct SiteBins {
-  double scale = 1;                ///< a power of two: coordinates of a run are those of the caller times this
-  Box3 box{};                      ///< of the run
-  BigVector<Point3> sites;         ///< bin by bin
+  double scale = 1;         ///< a power of two: coordinates of a run are those of the caller times this
+  Box3 box{};               ///< of the run
+  BigVector<Point3> sites;  ///< bin by bin
   std::vector<std::uint32_t> input;  ///< by site of the run: its index among those of the caller
   std::vector<std::uint32_t> owner;  ///< by site of the caller: the first with the same position
 
