@@ -16,7 +16,9 @@
 namespace vorpipe::space {
 namespace {
 
-using boost::multiprecision::cpp_int;
+/// Without expression templates, whose references would outlive what functions return.
+using AnyInteger =
+    boost::multiprecision::number<boost::multiprecision::cpp_int_backend<>, boost::multiprecision::et_off>;
 
 /// The kinds of integers that determinants are computed in. Coordinates are less than 2^bits, so that a 2x2
 /// minor is less than 2^(2 bits + 1), a 3x3 determinant than 2^(3 bits + 2.6), a lift than 2^(2 bits + 1.6),
@@ -42,11 +44,11 @@ struct LongIntegers {
 };
 
 struct AnyIntegers {
-  using Coordinate = cpp_int;
-  using Pair = cpp_int;
-  using Triple = cpp_int;
-  using Whole = cpp_int;
-  static cpp_int times(const cpp_int& a, const cpp_int& b) { return a * b; }
+  using Coordinate = AnyInteger;
+  using Pair = AnyInteger;
+  using Triple = AnyInteger;
+  using Whole = AnyInteger;
+  static AnyInteger times(const AnyInteger& a, const AnyInteger& b) { return a * b; }
 };
 
 /// Places relative to a site, exactly: of a site three numbers, of a wall its distance.
@@ -99,10 +101,12 @@ typename Integers::Pair minorOf(const Row<Integers>& a, const Row<Integers>& b) 
   return Pair(a.x) * b.y - Pair(a.y) * b.x;
 }
 
-/// The determinant of three d: a (b x c) - b (a x c) + c (a x b), from minors in x and y.
+/// The determinant of three d: a (b x c) - b (a x c) + c (a x b), from minors in x and y. Called, it
+/// would write long integers to memory in other parts than it reads them in, for which processors wait: three
+/// times as slow.
 template <class Integers, class Pair>
-auto determinant(const Row<Integers>& a, const Pair& bc, const Row<Integers>& b, const Pair& ac,
-                 const Row<Integers>& c, const Pair& ab) {
+[[gnu::always_inline]] inline auto determinant(const Row<Integers>& a, const Pair& bc, const Row<Integers>& b,
+                                               const Pair& ac, const Row<Integers>& c, const Pair& ab) {
   return Integers::times(bc, a.z) - Integers::times(ac, b.z) + Integers::times(ab, c.z);
 }
 
@@ -165,15 +169,16 @@ int withRows(const ExactTuple<size>& tuple, const Numbers& number, const Use& us
 }
 
 /// number / 2^least.
-cpp_int scaled(double number, int least) {
+AnyInteger scaled(double number, int least) {
   if (number == 0) return 0;
   int exponent = 0;
   const auto digits = static_cast<std::int64_t>(std::ldexp(std::frexp(number, &exponent), 53));
-  return cpp_int(digits) << (exponent - 53 - least);
+  return AnyInteger(digits) << (exponent - 53 - least);
 }
 
-template <std::size_t size, class Use>
-int withAnyIntegers(const ExactTuple<size>& tuple, const Use& use) {
+/// The exponent of a unit of all numbers.
+template <std::size_t size>
+int leastBit(const ExactTuple<size>& tuple) {
   int least = 2000;
   const auto takeIn = [&](double number) {
     if (number != 0) least = std::min(least, std::ilogb(number) - 52);
@@ -184,7 +189,12 @@ int withAnyIntegers(const ExactTuple<size>& tuple, const Use& use) {
       takeIn(number.low);
     }
   }
-  std::array<std::array<cpp_int, 3>, size> number;
+  return least;
+}
+
+template <std::size_t size, class Use>
+int withAnyIntegers(const ExactTuple<size>& tuple, int least, const Use& use) {
+  std::array<std::array<AnyInteger, 3>, size> number;
   for (std::size_t k = 0; k < size; ++k) {
     for (std::size_t c = 0; c < 3; ++c) {
       number[k][c] = scaled(tuple.number[k][c].high, least) + scaled(tuple.number[k][c].low, least);
@@ -201,7 +211,7 @@ int withIntegers(const ExactTuple<size>& tuple, const Use& use) {
   for (std::size_t k = 0; k < size; ++k) {
     for (std::size_t c = 0; c < 3; ++c) number[k][c] = units.whole(tuple.number[k][c]);
   }
-  if (!units.fit()) return withAnyIntegers(tuple, use);
+  if (!units.fit()) return withAnyIntegers(tuple, leastBit(tuple), use);
   const int shift = units.shift();
   for (auto& place : number) {
     for (auto& n : place) n >>= shift;
@@ -209,6 +219,16 @@ int withIntegers(const ExactTuple<size>& tuple, const Use& use) {
   static_assert(LongIntegers::bits == 62);
   if (units.bits() > ShortIntegers::bits) return withRows<LongIntegers>(tuple, number, use);
   return withRows<ShortIntegers>(tuple, number, use);
+}
+
+/// 2^exponent a / b, rounded twice.
+double quotient(const AnyInteger& a, const AnyInteger& b, int exponent) {
+  if (a == 0) return 0;
+  const AnyInteger dividend = abs(a), divisor = abs(b);
+  const int shift = 64 + static_cast<int>(msb(divisor)) - static_cast<int>(msb(dividend));
+  const AnyInteger digits = shift > 0 ? (dividend << shift) / divisor : dividend / (divisor << -shift);
+  const double magnitude = std::ldexp(static_cast<double>(digits), exponent - shift);
+  return a.sign() == b.sign() ? magnitude : -magnitude;
 }
 
 }  // namespace
@@ -237,6 +257,27 @@ int exactSide(const Places& places, Label i, const std::array<Label, 4>& other) 
     return signOf(cofactor[3]) * (sign != 0 ? sign : brokenTie(places, i, other, cofactor));
   };
   return withIntegers(ExactTuple<4>(places, i, other), side);
+}
+
+Point3 exactPlace(const Places& places, Label i, const std::array<Label, 3>& other) {
+  const ExactTuple<3> tuple(places, i, other);
+  const int least = leastBit(tuple);
+  Point3 place{};
+  withAnyIntegers(tuple, least, [&](const std::array<Row<AnyIntegers>, 3>& row) {
+    const auto& [a, b, c] = row;
+    const AnyInteger twice = 2 * determinant(a, minorOf(b, c), b, minorOf(a, c), c, minorOf(a, b));
+    const auto component = [&](auto first, auto second) {
+      const auto minor = [&](const Row<AnyIntegers>& p, const Row<AnyIntegers>& q) {
+        return AnyInteger(p.*first * q.*second - p.*second * q.*first);
+      };
+      const AnyInteger sum = a.lift * minor(b, c) + b.lift * minor(c, a) + c.lift * minor(a, b);
+      return quotient(sum, twice, least);
+    };
+    using Any = Row<AnyIntegers>;
+    place = {component(&Any::y, &Any::z), component(&Any::z, &Any::x), component(&Any::x, &Any::y)};
+    return 0;
+  });
+  return place;
 }
 
 }  // namespace vorpipe::space
