@@ -8,7 +8,7 @@
 //   NO_SLOT, SLOT(k)         the mask of none, and of slot k
 //   ANY_OF(m), COUNT(m), LOWEST(m)
 //                            whether any bit of a mask is set, how many are, and the index of the lowest that is
-//   BALLOT(condition, block) the mask of those of the slots block * LANES .. that a condition holds in
+//   LESS(a, b, block)        the mask of those of the slots block * LANES .. in which a lane_real is less than another
 //   BLOCKS(m)                how many blocks of LANES slots it takes from slot 0 to the highest of a mask
 //   LOAD(array, block), STORE(array, block, value)
 //                            LANES elements of an array of SLOTS floats
@@ -55,9 +55,9 @@ void beginPolyhedron(INOUT(Polyhedron) c, float xmin, float ymin, float zmin, fl
         c.x[k] = 0.0f;
         c.y[k] = 0.0f;
         c.z[k] = 0.0f;
-        c.on[k] = NO_SLOT;
     }
     for (int w = 0; w < 6; w++) {
+        c.on[w] = NO_SLOT;
         c.name[w] = -1 - w;
     }
     for (int k = 0; k < 8; k++) {
@@ -84,7 +84,7 @@ MASK verticesBeyond(INOUT(Polyhedron) c, float dx, float dy, float dz, float h) 
     for (int k = 0; k < blocks; k++) {
         lane_real far = LOAD(c.x, k) * dx + (LOAD(c.y, k) * dy + (LOAD(c.z, k) * dz - h));
         STORE(c.beyond, k, far);
-        removed = removed | BALLOT(far > 0.0f, k);
+        removed = removed | LESS(NO_REAL, far, k);
     }
     return removed & c.live;
 }

@@ -28,7 +28,7 @@ struct Nearest {
     const int blocks = (count + LANES - 1) / LANES;
     for (int k = 0; k < count; ++k) {
       int rank = 0;
-      for (int b = 0; b < blocks; ++b) rank += COUNT(BALLOT(loadInts(key + b * LANES) < key[k], 0));
+      for (int b = 0; b < blocks; ++b) rank += COUNT(less(loadInts(key + b * LANES), lane_truth{} + key[k]));
       order[rank] = static_cast<std::uint8_t>(k);
     }
   }
@@ -144,7 +144,7 @@ class Walk {
       const lane_real dx = load(bins_.x + j) + offset[0], dy = load(bins_.y + j) + offset[1],
                       dz = load(bins_.z + j) + offset[2];
       const lane_real squared = dx * dx + dy * dy + dz * dz;
-      std::uint64_t near = BALLOT(squared < reach_, 0);
+      std::uint64_t near = less(squared, lane_real{} + reach_);
       if (to - j < LANES) near &= SLOT(to - j) - SLOT(0);
       for (; near != 0; near &= near - 1) {
         const int lane = LOWEST(near);

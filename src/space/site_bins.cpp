@@ -55,40 +55,62 @@ void layBins(SiteBins& bins, const Box3& around, std::size_t sites) {
   for (int a = 0; a < 3; ++a) bins.count[a] = std::max(1, static_cast<int>(std::ceil(extent[a] / side)));
 }
 
-/// The bins around each part of a bin, by ascending distance, then by that of their centers.
-std::vector<BinStep> orderOfSteps() {
+/// The bins around a part of a bin, by ascending distance, then by that of their centers.
+std::vector<BinStep> stepsAround(const std::array<int, 3>& part) {
   constexpr int reach = 5;
-  std::vector<BinStep> steps;
-  for (int part = 0; part < parts_of_bin * parts_of_bin * parts_of_bin; ++part) {
-    const std::array<int, 3> at{part % parts_of_bin, part / parts_of_bin % parts_of_bin,
-                                part / parts_of_bin / parts_of_bin};
-    struct Step {
-      std::array<int, 3> by;
-      double least = 0, of_centers = 0;
-    };
-    std::vector<Step> all;
-    for (int z = -reach; z <= reach; ++z) {
-      for (int y = -reach; y <= reach; ++y) {
-        for (int x = -reach; x <= reach; ++x) {
-          Step step{{x, y, z}};
-          for (std::size_t a = 0; a < 3; ++a) {
-            const double low = static_cast<double>(at[a]) / parts_of_bin;
-            const double high = static_cast<double>(at[a] + 1) / parts_of_bin;
-            const double gap = std::max({step.by[a] - high, low - (step.by[a] + 1), 0.0});
-            const double between = step.by[a] + 0.5 - (low + high) / 2;
-            step.least += gap * gap;
-            step.of_centers += between * between;
-          }
-          all.push_back(step);
+  struct Step {
+    std::array<int, 3> by;
+    double least = 0, of_centers = 0;
+  };
+  std::vector<Step> all;
+  for (int z = -reach; z <= reach; ++z) {
+    for (int y = -reach; y <= reach; ++y) {
+      for (int x = -reach; x <= reach; ++x) {
+        Step step{{x, y, z}};
+        for (std::size_t a = 0; a < 3; ++a) {
+          const double low = static_cast<double>(part[a]) / parts_of_bin;
+          const double high = static_cast<double>(part[a] + 1) / parts_of_bin;
+          const double gap = std::max({step.by[a] - high, low - (step.by[a] + 1), 0.0});
+          const double between = step.by[a] + 0.5 - (low + high) / 2;
+          step.least += gap * gap;
+          step.of_centers += between * between;
         }
+        all.push_back(step);
       }
     }
-    std::ranges::stable_sort(all, [](const Step& a, const Step& b) {
-      return a.least != b.least ? a.least < b.least : a.of_centers < b.of_centers;
-    });
-    for (const Step& step : all) {
-      steps.push_back({static_cast<std::int8_t>(step.by[0]), static_cast<std::int8_t>(step.by[1]),
-                       static_cast<std::int8_t>(step.by[2]), static_cast<float>(step.least)});
+  }
+  std::ranges::stable_sort(all, [](const Step& a, const Step& b) {
+    return a.least != b.least ? a.least < b.least : a.of_centers < b.of_centers;
+  });
+  std::vector<BinStep> steps;
+  for (const Step& step : all) {
+    steps.push_back({static_cast<std::int8_t>(step.by[0]), static_cast<std::int8_t>(step.by[1]),
+                     static_cast<std::int8_t>(step.by[2]), static_cast<float>(step.least)});
+  }
+  return steps;
+}
+
+/// The same for all parts, x first. Those of the upper half along an axis are mirrored.
+std::vector<BinStep> orderOfSteps() {
+  constexpr int half = parts_of_bin / 2;
+  std::array<std::vector<BinStep>, half * half * half> lower;
+  for (int k = 0; k < half * half * half; ++k) {
+    lower[static_cast<std::size_t>(k)] = stepsAround({k % half, k / half % half, k / half / half});
+  }
+  std::vector<BinStep> steps;
+  for (int part = 0; part < parts_of_bin * parts_of_bin * parts_of_bin; ++part) {
+    int of_lower = 0;
+    std::array<std::int8_t, 3> sign{};
+    for (int a = 2, left = part; a >= 0; --a) {
+      const int size = a == 2 ? parts_of_bin * parts_of_bin : a == 1 ? parts_of_bin : 1;
+      const int at = left / size;
+      left %= size;
+      sign[static_cast<std::size_t>(a)] = at < half ? 1 : -1;
+      of_lower = of_lower * half + (at < half ? at : parts_of_bin - 1 - at);
+    }
+    for (const BinStep& step : lower[static_cast<std::size_t>(of_lower)]) {
+      steps.push_back({static_cast<std::int8_t>(sign[0] * step.x), static_cast<std::int8_t>(sign[1] * step.y),
+                       static_cast<std::int8_t>(sign[2] * step.z), step.squared_distance});
     }
   }
   return steps;
