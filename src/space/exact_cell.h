@@ -21,11 +21,6 @@ class ExactCell {
   [[nodiscard]] double squaredRadius() const;
   /// The vertices, as the labels of their three faces: counter-clockwise seen from outside.
   [[nodiscard]] std::span<const std::array<Label, 3>> vertices() const;
-
- private:
-  Places places_;
-  Label site_;
-  std::vector<std::array<Label, 3>> vertices_;
 };
 
 }  // namespace vorpipe::space
