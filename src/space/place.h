@@ -22,7 +22,7 @@ Point3 canonicalPlace(const Places& places, const std::array<Label, 4>& labels);
 /// The vertex of three faces in double, relative to the site that sees these so.
 struct PlaceInDouble {
   Point3 place;
-  double squared;    ///< the squared distance from the site
+  double distance;   ///< of that place from the site
   double condition;  ///< k = m(a) m(b) m(c) / |det(a, b, c)|, m: the sum of the magnitudes of components
   double error;      ///< a bound of the distance from the true place; infinite if there is none
 
@@ -44,12 +44,12 @@ inline PlaceInDouble::PlaceInDouble(const Relative& a, const Relative& b, const 
   place = {((a.lift * bc.x + b.lift * ca.x) + c.lift * ab.x) * half,
            ((a.lift * bc.y + b.lift * ca.y) + c.lift * ab.y) * half,
            ((a.lift * bc.z + b.lift * ca.z) + c.lift * ab.z) * half};
-  squared = (place.x * place.x + place.y * place.y) + place.z * place.z;
-  const double ma = a.size(), mb = b.size(), mc = c.size();
+  distance = std::sqrt((place.x * place.x + place.y * place.y) + place.z * place.z);
+  const double ma = a.size(), mb = b.size(), mc = c.size(), per_det = std::abs(half + half);
   const bool in_range = std::min({ma, mb, mc}) > least && std::max({ma, mb, mc}) < most;
-  condition = in_range ? ma * mb * mc / std::abs(det) : HUGE_VAL;
-  const double lifts = std::abs(a.lift) / ma + std::abs(b.lift) / mb + std::abs(c.lift) / mc;
-  error = condition < well ? u * condition * (8 * lifts + 10 * std::sqrt(squared)) : HUGE_VAL;
+  condition = in_range ? ma * mb * mc * per_det : HUGE_VAL;
+  const double terms = std::abs(a.lift) * mb * mc + std::abs(b.lift) * mc * ma + std::abs(c.lift) * ma * mb;
+  error = condition < well ? u * (8 * terms * per_det + 10 * condition * distance) : HUGE_VAL;
 }
 
 }  // namespace vorpipe::space
