@@ -13,6 +13,7 @@
 #include "io/sites/density_place.h"
 #include "io/sites/outline_file.h"
 #include "io/sites/site_source.h"
+#include "io/sites/space_source.h"
 #include "io/sites/weights_file.h"
 
 namespace vorpipe::cli {
@@ -102,6 +103,9 @@ Result<void> takeDomain(const InputOptions& options, Input& input, bool of_corne
     return inputError("--domain-layer: is for a GeoPackage that --domain names");
   if (!options.by.empty() && options.domain.file.empty())
     return inputError("--by: is for features of a file that --domain names");
+  if (options.domain.space) {
+    return inputError("--domain: six numbers are a box in space, where there are `cells` alone");
+  }
   DomainSettings settings{{},
                           options.domain.file,
                           options.domain.box,
@@ -129,6 +133,10 @@ Result<void> takeDomain(const InputOptions& options, Input& input, bool of_corne
 
 Result<Input> loadInput(const InputOptions& options) {
   const Stopwatch watch;
+  if (isOfSpace(options.sites)) {
+    return inputError(
+        fmt::format("--sites: {} has sites in space, where there are `cells` alone", options.sites));
+  }
   ReadOptions reading = options.reading;
   if (options.sites == "-") reading.format = options.format.input;
   auto source = loadSites(options.sites, options.seed, reading,

@@ -7,10 +7,9 @@
 
 #include "base/try.h"
 #include "cli/cells_by.h"
+#include "cli/commands/cells_command.h"
 #include "cli/commands/command.h"
 #include "cli/drawing.h"
-#include "cli/options/cells_outputs.h"
-#include "cli/options/density_options.h"
 #include "cli/options/error_line.h"
 #include "cli/options/mass_options.h"
 #include "cli/progress.h"
@@ -26,13 +25,6 @@
 
 namespace vorpipe::cli {
 namespace {
-
-struct CellsCommand : RunOptions {
-  InputOptions input;
-  Surface surface = Surface::none;
-  CellsTargets targets;
-  DensityOptions density;
-};
 
 /// Rejects options that nothing uses or supports, and sets the format of standard output.
 Result<void> checkCommand(CellsCommand& command, const CommandRun& run) {
@@ -200,6 +192,8 @@ Result<ExitCode> computeCells(const CellsCommand& command, CommandRun& run, Inpu
 }
 
 Result<ExitCode> cells(CellsCommand& command, const Invocation& how) {
+  if (isInSpace(command.input)) return cellsInSpace(command, how);
+  command.input.reading.advice_on_z = "; --dim 3 makes cells in space";
   CommandRun run("cells", command, how, command.targets.paths());
   VORPIPE_TRY(checkCommand(command, run));
   InputOptions from = command.input;
@@ -234,6 +228,7 @@ void addCells(CommandLine& line) {
             "feature and each site whose cell meets it, with the area and its share of the feature; "
             "features of one name are one",
             parseAttributeWord);
+  addDimension(options, command->input);
   addGlobe(options, command->input);
   options.group("Output");
   addCellsTargets(options, command->targets);

@@ -14,6 +14,7 @@
 #include "io/sites/outline_file.h"
 #include "io/sites/site_source.h"
 #include "io/sites/sites_file.h"
+#include "io/sites/space_source.h"
 #include "view/recorder.h"
 
 namespace vorpipe::cli {
@@ -221,6 +222,22 @@ Option addInputOptions(Options& options, InputOptions& input) {
             {periodicNames(), {}})
       .needs(sites);
   return sites;
+}
+
+Option addDimension(Options& options, InputOptions& input) {
+  options.group("Domain");
+  const auto parse = [](std::string_view text) -> Parsed<bool> {
+    if (text == "2" || text == "3") return text == "3";
+    return tl::unexpected(fmt::format("{} is neither 2 nor 3", vorpipe::inQuotes(text)));
+  };
+  return addParsed(
+      options, "--dim", input.space, "2 or 3",
+      fmt::format(
+          "3: sites are x, y and z, and cells are polyhedra in the box "
+          "XMIN,YMIN,ZMIN,XMAX,YMAX,ZMAX of --domain [3 for six numbers there, and for the generators "
+          "{}:N; random, jitter and clusters take it as well]",
+          fmt::join(spacePatternNames(), ":N, ")),
+      parse, {{"2", "3"}, {}});
 }
 
 Option addGlobe(Options& options, InputOptions& input) {

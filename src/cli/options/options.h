@@ -87,6 +87,7 @@ struct InputOptions {
   std::optional<WeightRange> random_weights;
   Periodic periodic = Periodic::none;
   bool globe = false;
+  bool space = false;     ///< --dim 3
   ReadOptions reading{};  ///< without its format: standard input has that of `format`
   FormatChoice format{};
 };
@@ -98,6 +99,8 @@ struct TalkOptions {
 /// --sites and its reading options, --seed, those of addDomainOptions, --weights, --random-weights,
 /// --periodic
 Option addInputOptions(Options& options, InputOptions& input);
+/// --dim
+Option addDimension(Options& options, InputOptions& input);
 /// --globe
 Option addGlobe(Options& options, InputOptions& input);
 /// --device

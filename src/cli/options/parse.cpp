@@ -101,13 +101,40 @@ Parsed<Box> parseBox(std::string_view text) {
   return box;
 }
 
+namespace {
+
+/// Six numbers, a valid box in space.
+Parsed<Box3> parseBoxInSpace(const std::vector<std::string_view>& parts) {
+  constexpr std::array<std::string_view, 6> names = {"xmin", "ymin", "zmin", "xmax", "ymax", "zmax"};
+  std::array<double, 6> values{};
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    const auto value = parseNumber(parts[i]);
+    if (!value) return bad(fmt::format("{}: {}", names[i], value.error()));
+    values[i] = *value;
+  }
+  for (std::size_t low = 0; low < 3; ++low) {
+    const std::size_t high = low + 3;
+    if (!(values[low] < values[high]))
+      return bad(fmt::format("{} {} is not below {} {}", names[low], values[low], names[high], values[high]));
+    if (!std::isfinite(values[high] - values[low]))
+      return bad(fmt::format("{} - {} is too large for a double", names[high], names[low]));
+  }
+  return Box3{values[0], values[1], values[2], values[3], values[4], values[5]};
+}
+
+}  // namespace
+
 Parsed<DomainChoice> parseDomain(std::string_view text) {
-  if (text == "hull") return DomainChoice{std::nullopt, {}, /*hull=*/true};
+  if (text == "hull") return DomainChoice{.hull = true};
   const auto outlines = outlineExtensions();
   if (std::ranges::find(outlines, inputExtension(std::string(text))) != outlines.end()) {
-    return DomainChoice{std::nullopt, std::string(text), /*hull=*/false};
+    return DomainChoice{.file = std::string(text)};
   }
   const auto parts = split(text, ',');
+  if (parts.size() == 6) {
+    VORPIPE_LET(space, parseBoxInSpace(parts));
+    return DomainChoice{.space = space};
+  }
   if (parts.size() != 4) {
     return bad(fmt::format("{} is neither XMIN,YMIN,XMAX,YMAX nor hull nor a {} file", inQuotes(text),
                            anyOf(outlines)));
@@ -115,7 +142,7 @@ Parsed<DomainChoice> parseDomain(std::string_view text) {
   auto box = parseBox(text);
   const auto west = parseNumber(parts.front()), east = parseNumber(parts[2]);
   if (!box) return bad(box.error() + (west && east ? hintAcrossAntimeridian(*west, *east) : std::string()));
-  return DomainChoice{*box, {}, /*hull=*/false};
+  return DomainChoice{.box = *box};
 }
 
 Parsed<Periodic> parsePeriodic(std::string_view text) { return valueIn(text, Periodic::x); }

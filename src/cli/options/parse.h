@@ -30,10 +30,12 @@ std::vector<std::string> periodicNames();
 std::vector<std::string> searchNames();
 std::vector<std::string> colorNames();
 
-/// A box, the name of a file with an outline, or the hull of the sites; none of them if not given.
+/// A box, in the plane or in space, the name of a file with an outline, or the hull of the sites; none of
+/// them if not given.
 struct DomainChoice {
-  std::optional<Box> box;
-  std::string file;  ///< empty: there is none
+  std::optional<Box> box{};
+  std::optional<Box3> space{};
+  std::string file{};  ///< empty: there is none
   bool hull = false;
 };
 
@@ -47,7 +49,8 @@ Parsed<Point> parsePlace(std::string_view text);
 /// `XMIN,YMIN,XMAX,YMAX`, a valid box.
 Parsed<Box> parseBox(std::string_view text);
 
-/// `XMIN,YMIN,XMAX,YMAX`, a valid box, `hull`, or a file name that ends in .geojson, .json or .wkt.
+/// `XMIN,YMIN,XMAX,YMAX` or `XMIN,YMIN,ZMIN,XMAX,YMAX,ZMAX`, a valid box, `hull`, or a file name that ends in
+/// .geojson, .json or .wkt.
 Parsed<DomainChoice> parseDomain(std::string_view text);
 
 /// One of periodicNames().

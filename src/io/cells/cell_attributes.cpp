@@ -68,8 +68,10 @@ std::vector<std::string> pointAttributeNames(std::span<const Attribute> attribut
       attributes);
 }
 
-std::string renamingNote(std::span<const Attribute> attributes, std::span<const AddedField> added) {
-  const auto names = attributeNames(attributes, added);
+namespace {
+
+/// Says which attributes got other names.
+std::string noteOfNames(std::span<const Attribute> attributes, std::span<const std::string> names) {
   std::string renamed;
   for (std::size_t k = 0; k < names.size(); ++k) {
     // The column `fid` holds a GeoPackage's row numbers: users need no note of its renaming.
@@ -79,6 +81,22 @@ std::string renamingNote(std::span<const Attribute> attributes, std::span<const 
   }
   if (renamed.empty()) return renamed;
   return "renamed, since other fields have these names: " + renamed;
+}
+
+}  // namespace
+
+std::string renamingNote(std::span<const Attribute> attributes, std::span<const AddedField> added) {
+  return noteOfNames(attributes, attributeNames(attributes, added));
+}
+
+std::vector<std::string> attributeNamesInSpace(std::span<const Attribute> attributes) {
+  return namesBeside(
+      "site x y z weight status owner volume area centroid_x centroid_y centroid_z faces neighbors",
+      attributes);
+}
+
+std::string renamingNoteInSpace(std::span<const Attribute> attributes) {
+  return noteOfNames(attributes, attributeNamesInSpace(attributes));
 }
 
 void printCsvNames(Bytes& text, std::span<const std::string> names) {

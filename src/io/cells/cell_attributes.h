@@ -41,6 +41,10 @@ std::vector<std::string> pointAttributeNames(std::span<const Attribute> attribut
 /// Returns a line that lists the attributes renamed in files of cells; empty if all keep their names.
 std::string renamingNote(std::span<const Attribute> attributes, std::span<const AddedField> added = {});
 
+/// The same two for cells in space.
+std::vector<std::string> attributeNamesInSpace(std::span<const Attribute> attributes);
+std::string renamingNoteInSpace(std::span<const Attribute> attributes);
+
 /// Appends names as CSV fields, each after a comma.
 void printCsvNames(Bytes& text, std::span<const std::string> names);
 

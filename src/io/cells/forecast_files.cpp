@@ -5,6 +5,7 @@
 
 #include "io/base/extension.h"
 #include "io/sites/site_source.h"
+#include "io/sites/space_source.h"
 #include "vorpipe/shapes.h"
 
 namespace vorpipe {
@@ -32,6 +33,13 @@ void planSites(MemoryPlan& plan, const std::string& spec, std::uint64_t sites, b
   }
 }
 
+void planSpaceSites(MemoryPlan& plan, const std::string& spec, std::uint64_t sites) {
+  const auto read = plan.next();
+  if (!generatedInSpace(spec)) planGrowing(plan, "sites as they are read", sites, 3 * number_size);
+  const auto kept = plan.take("sites", sites * sizeof(Point3));
+  plan.dropSince(read, {kept});
+}
+
 void planAttributes(MemoryPlan& plan, std::uint64_t bytes) { plan.take("attributes", bytes); }
 
 void planWeights(MemoryPlan& plan, const std::string& path, std::uint64_t sites) {
@@ -54,6 +62,12 @@ void planCellsFile(MemoryPlan& plan, const Workload& work, const CellsFormat& fo
   if (format.mesh)
     plan.drop(plan.take("the mesh to write", work.sites * (work.globe ? globe_mesh_site : mesh_site)));
   if (format.in_memory) plan.drop(plan.take("the file to write", work.sites * text_site + attribute_bytes));
+}
+
+void planSpaceFile(MemoryPlan& plan, std::uint64_t sites, const SpaceFormat& format) {
+  // Where the corners and the faces of each cell end, and the lists as they grow.
+  constexpr std::uint64_t ends_of_site = 40;
+  if (format.extension == ".vtu") plan.drop(plan.take("the mesh to write", sites * ends_of_site));
 }
 
 void planEdgesFiles(MemoryPlan& plan, const Workload& work, std::span<const EdgesFormat* const> formats) {

@@ -7,6 +7,7 @@
 
 #include "io/cells/cells_file.h"
 #include "io/cells/edges_file.h"
+#include "io/cells/space_file.h"
 #include "io/pictures/picture_file.h"
 #include "vorpipe.h"
 
@@ -14,6 +15,9 @@ namespace vorpipe {
 
 /// Plans the `sites` sites of `--sites SPEC`, with or without weights of their own.
 void planSites(MemoryPlan& plan, const std::string& spec, std::uint64_t sites, bool weighted);
+
+/// The same in space.
+void planSpaceSites(MemoryPlan& plan, const std::string& spec, std::uint64_t sites);
 
 /// Plans attributes that were read and take this many bytes.
 void planAttributes(MemoryPlan& plan, std::uint64_t bytes);
@@ -27,6 +31,9 @@ void planDensity(MemoryPlan& plan, std::uint64_t pixels);
 /// Plans writeCells, with attributes that take `attribute_bytes` bytes in memory.
 void planCellsFile(MemoryPlan& plan, const Workload& work, const CellsFormat& format,
                    std::uint64_t attribute_bytes = 0);
+
+/// Plans writeSpaceCells of cells of so many sites.
+void planSpaceFile(MemoryPlan& plan, std::uint64_t sites, const SpaceFormat& format);
 
 /// Plans the writer of a picture's shapes; their cells are planned by planCells.
 void planShapes(MemoryPlan& plan, const Workload& work, const RenderOptions& options);

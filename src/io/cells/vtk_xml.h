@@ -47,7 +47,7 @@ VtkArray vtkNumbers(std::string_view name, std::uint64_t rows, NumberOf numberOf
           }};
 }
 
-/// One point for each row: pointOf(row), a Point with z = 0, or a SpacePoint.
+/// One point for each row: pointOf(row), a Point with z = 0, or one in space.
 template <class PointOf>
 VtkArray vtkPoints(std::string_view name, std::uint64_t rows, PointOf pointOf) {
   constexpr std::uint64_t components = 3;
@@ -59,7 +59,7 @@ VtkArray vtkPoints(std::string_view name, std::uint64_t rows, PointOf pointOf) {
           [pointOf = std::move(pointOf)](Bytes& bytes, std::size_t row) {
             const auto point = pointOf(row);
             double z = 0;
-            if constexpr (std::is_same_v<std::remove_const_t<decltype(point)>, SpacePoint>) z = point.z;
+            if constexpr (requires { point.z; }) z = point.z;
             for (const double number : {point.x, point.y, z}) {
               appendNumber<std::endian::little>(bytes, number);
             }

@@ -1,0 +1,51 @@
+/// Writes cells in space as a file of any known kind, and reads those of .npz.
+#pragma once
+
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "io/base/attribute.h"
+#include "io/base/byte_sink.h"
+#include "io/base/zip_file.h"
+#include "vorpipe.h"
+
+namespace vorpipe {
+
+/// Cells in space, and further contents of their records.
+struct SpaceOutput {
+  std::span<const Point3> sites;
+  const Diagram3& diagram;
+  std::span<const Attribute> attributes{};  ///< each as long as the sites
+  Detail3 detail = Detail3::polyhedra;      ///< what the diagram has
+  int threads = 0;                          ///< that format text; 0 for all
+};
+
+/// A kind of file for cells in space.
+struct SpaceFormat {
+  std::string_view extension;
+  Detail3 detail;  ///< the parts of a Diagram3 that it needs; .npz also writes less
+  /// Errors: more vertices than an index counts (input); writing failed or memory ran out (device).
+  Result<void> (*write)(ByteSink& sink, const SpaceOutput& output);
+  bool attributes = false;      ///< whether it contains those of the input
+  bool only_polyhedra = false;  ///< whether it leaves out cells that are flat
+};
+
+/// The extensions of all kinds, in the order in which messages name them.
+std::vector<std::string_view> spaceExtensions();
+
+/// The format that the path's extension names; never null. Error (input): it names none.
+Result<const SpaceFormat*> spaceFormatOf(const std::string& path);
+
+/// Writes cells in input order; equal cells give equal bytes. Numbers in text read back to the same double.
+Result<void> writeSpaceCells(ByteSink& sink, const SpaceOutput& output, const SpaceFormat& format);
+
+/// Whether an archive has cells in space, as the one of writeSpaceCells.
+bool hasSpaceCells(const NpzFile& file);
+
+/// Reads what diffCells compares: status, owner, volumes and neighbors. Error (input): an array is missing,
+/// or does not fit the others.
+Result<Diagram3> readSpaceCells(const NpzFile& file);
+
+}  // namespace vorpipe
