@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "space/corner_lanes.h"
+#include "space/measures.h"
 #include "space/rows.h"
 
 namespace vorpipe::space {
@@ -28,11 +29,6 @@ struct Verdict {
   std::array<Label, 4> with{-7, -7, -7, -7};
   bool tied = false;    ///< an edge may be a tie
   bool unsure = false;  ///< a vertex is too badly conditioned for measures
-};
-
-struct CellMeasures {
-  double volume, surface;
-  Point3 centroid;  ///< relative to the site
 };
 
 /// Checks cells one after another; one for each thread.

@@ -23,15 +23,15 @@ void sortUnique(Sites& sites) {
 
 class Certifier {
  public:
-  Certifier(const SiteBins& bins, bool face_areas, int threads)
+  Certifier(const SiteBins& bins, int threads)
       : bins_(bins),
         places_(bins.places()),
-        face_areas_(face_areas),
         threads_(threads),
         found_(bins.sites.size()),
+        tied_(bins.sites.size(), 0),
         careful_(bins.sites.size(), 0),
         exact_(bins.sites.size(), 0) {
-    if (face_areas) found_.face_areas.resize(bins.sites.size());
+    found_.face_areas.resize(bins.sites.size());
   }
 
   Result<CertifiedRows> run(const Progress& progress) {
@@ -66,6 +66,7 @@ class Certifier {
       sortUnique(which);
     }
     for (std::uint32_t i = 0; i < careful_.size(); ++i) {
+      if (tied_[i] != 0) found_.tied.push_back(i);
       if (careful_[i] != 0) found_.careful.push_back(i);
     }
     return std::move(found_);
@@ -172,13 +173,12 @@ class Certifier {
           }
           continue;
         }
-        careful_[site] = verdict.tied || verdict.unsure ? 1 : 0;
+        tied_[site] = verdict.tied ? 1 : 0;
+        careful_[site] = verdict.unsure ? 1 : 0;
         found_.measures[site] = cell_check.measures();
-        if (face_areas_) {
-          auto& areas = found_.face_areas[site];
-          areas.resize(found_.rows[site].faces);
-          for (std::size_t f = 0; f < areas.size(); ++f) areas[f] = cell_check.faceArea(f);
-        }
+        auto& areas = found_.face_areas[site];
+        areas.resize(found_.rows[site].faces);
+        for (std::size_t f = 0; f < areas.size(); ++f) areas[f] = cell_check.faceArea(f);
       }
       dispute(std::move(disputed));
     });
@@ -199,10 +199,9 @@ class Certifier {
 
   const SiteBins& bins_;
   Places places_;
-  bool face_areas_;
   int threads_;
   CertifiedRows found_;
-  std::vector<std::uint8_t> careful_, exact_;  ///< by site
+  std::vector<std::uint8_t> tied_, careful_, exact_;  ///< by site
   Sites disputed_;
   std::mutex mutex_;
 };
@@ -237,8 +236,8 @@ bool forgetsSite(const Places& places, const Rows& rows, std::span<const std::ui
   return false;
 }
 
-Result<CertifiedRows> certify(const SiteBins& bins, bool face_areas, const Progress& progress, int threads) {
-  return Certifier(bins, face_areas, threads).run(progress);
+Result<CertifiedRows> certify(const SiteBins& bins, const Progress& progress, int threads) {
+  return Certifier(bins, threads).run(progress);
 }
 
 }  // namespace vorpipe::space

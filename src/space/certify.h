@@ -16,9 +16,11 @@ struct CertifiedRows {
   explicit CertifiedRows(std::size_t sites) : rows(sites), measures(sites) {}
   Rows rows;                                    ///< no faces: the site has no cell
   std::vector<CellMeasures> measures;           ///< by site; not of those in `careful`
-  std::vector<std::vector<double>> face_areas;  ///< by site, by face; likewise. Empty unless asked for
-  std::vector<std::uint32_t> careful;  ///< sites whose cells may have ties or bad vertices, ascending
-  std::uint64_t exact = 0;             ///< number of times that a cell was recomputed exactly
+  std::vector<std::vector<double>> face_areas;  ///< by site, by face; likewise
+  std::vector<std::uint32_t> tied;              ///< sites whose cells may have ties, ascending
+  std::vector<std::uint32_t>
+      careful;              ///< those of them whose vertices are too badly conditioned for measures
+  std::uint64_t exact = 0;  ///< number of times that a cell was recomputed exactly
   std::vector<RowArena> arenas;
 };
 
@@ -31,6 +33,6 @@ bool forgetsSite(const Places& places, const Rows& rows, std::span<const std::ui
 
 /// Errors: progress asked to stop (cancelled); cells that remain in dispute, which is a fault of vorpipe
 /// (device).
-Result<CertifiedRows> certify(const SiteBins& bins, bool face_areas, const Progress& progress, int threads);
+Result<CertifiedRows> certify(const SiteBins& bins, const Progress& progress, int threads);
 
 }  // namespace vorpipe::space
