@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "base/try.h"
+#include "cli/cells_difference.h"
 #include "cli/commands/command.h"
 #include "cli/difference.h"
 #include "cli/forecast.h"
@@ -163,12 +164,41 @@ Result<void> writeFiles(const DiffCommand& command, const Json& report, const Pi
   return writeOutputs(files, writers);
 }
 
+/// Compares two .npz files of cells.
+Result<ExitCode> diffOfCells(const DiffCommand& command) {
+  if (!command.png.empty() || !command.input.sites.empty() || command.max_pixels > 0 ||
+      command.max_difference) {
+    return inputError(fmt::format("{}: is for pictures and ids; cells are compared by what they are",
+                                  !command.png.empty()           ? "-o"
+                                  : !command.input.sites.empty() ? "--sites"
+                                  : command.max_pixels > 0       ? "--max-pixels"
+                                                                 : "--max-difference"));
+  }
+  VORPIPE_LET(found, compareCellsFiles(command.a, command.b));
+  Json json = {{"version", version()},
+               {"command", "diff"},
+               {"kind", "cells"},
+               {"a", {{"file", command.a}}},
+               {"b", {{"file", command.b}}}};
+  json.update(found.found);
+  json["agree"] = found.difference.empty();
+  json["difference"] = found.difference.empty() ? Json(nullptr) : Json(found.difference);
+  VORPIPE_TRY(writeFiles(command, json, {}));
+  if (!found.difference.empty()) {
+    printError(fmt::format("{} and {} differ: {}", command.a, command.b, found.difference));
+    return exit_different;
+  }
+  printSummary(command.talk, std::array{command.json},
+               fmt::format("{} and {}: {}\n", command.a, command.b, found.agreement));
+  return exit_done;
+}
+
 /// Rejects files that cannot be compared, or not with these options.
 Result<void> checkKinds(const DiffCommand& command) {
   const bool ids = namesIds(command.a);
   if (ids != namesIds(command.b)) {
-    return inputError(
-        fmt::format("{} and {}: name two .npy id arrays or two PNG pictures", command.a, command.b));
+    return inputError(fmt::format("{} and {}: name two .npy id arrays, two PNG pictures or two .npz of cells",
+                                  command.a, command.b));
   }
   if (!ids && !command.input.sites.empty()) {
     return inputError("--sites: tells ties only in .npy id arrays, not in pictures");
@@ -204,6 +234,7 @@ void printDifference(const DiffCommand& command, const Image& a, const Image& b,
 
 Result<ExitCode> diff(const DiffCommand& command) {
   const ReadLog reads(ReadLog::Notes::names);
+  if (lowerExtension(command.a) == ".npz" && lowerExtension(command.b) == ".npz") return diffOfCells(command);
   VORPIPE_TRY(checkKinds(command));
   const bool ids = namesIds(command.a);
   VORPIPE_LET(a, ids ? readNpyIds(command.a) : readPng(command.a));
@@ -223,10 +254,11 @@ Result<ExitCode> diff(const DiffCommand& command) {
 
 void addDiff(CommandLine& line) {
   auto command = std::make_shared<DiffCommand>();
-  Options options = line.addSubcommand("diff", "compares two id arrays (.npy) or two pictures (.png)",
-                                       [command](const Invocation&) { return diff(*command); });
-  const Choices compared{{}, {".npy", ".png"}};
-  options.addText("A", command->a, "FILE", "one id array or picture", compared).required();
+  Options options = line.addSubcommand(
+      "diff", "compares two id arrays (.npy), two pictures (.png) or the cells of two .npz",
+      [command](const Invocation&) { return diff(*command); });
+  const Choices compared{{}, {".npy", ".png", ".npz"}};
+  options.addText("A", command->a, "FILE", "one id array, picture or file of cells", compared).required();
   options.addText("B", command->b, "FILE", "another of the same kind", compared).required();
   options.group("Comparison");
   addParsed(options, "--max-pixels", command->max_pixels, "N",

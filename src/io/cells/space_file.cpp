@@ -41,10 +41,6 @@ void printSpaceRecord(Bytes& text, const SpaceOutput& output, std::size_t site) 
   text.push_back('\n');
 }
 
-tl::unexpected<Error> wrongArrays(const NpzFile& file, std::string_view what) {
-  return inputError(fmt::format("{}: {}", file.name(), what));
-}
-
 }  // namespace
 
 Result<void> writeSpaceNpz(ByteSink& sink, const SpaceOutput& output) {
@@ -96,35 +92,6 @@ Result<void> writeSpaceCells(ByteSink& sink, const SpaceOutput& output, const Sp
   } catch (const std::bad_alloc&) {
     return deviceError(sink.name() + ": there is not enough memory to write its cells");
   }
-}
-
-bool hasSpaceCells(const NpzFile& file) { return file.has("volumes"); }
-
-Result<Diagram3> readSpaceCells(const NpzFile& file) {
-  for (const char* const name : {"status", "owner", "volumes", "neighbor_offsets", "neighbors"}) {
-    if (!file.has(name)) return wrongArrays(file, fmt::format("has no array \"{}\"", name));
-  }
-  Diagram3 diagram;
-  VORPIPE_LET(status, file.numbers<std::uint8_t>("status"));
-  VORPIPE_VAR(owner, file.numbers<std::uint32_t>("owner"));
-  VORPIPE_VAR(volume, file.numbers<double>("volumes"));
-  VORPIPE_VAR(offsets, file.numbers<std::uint64_t>("neighbor_offsets"));
-  VORPIPE_VAR(neighbors, file.numbers<std::int64_t>("neighbors"));
-  const std::size_t n = status.size();
-  const bool fits = owner.size() == n && volume.size() == n && offsets.size() == n + 1 &&
-                    offsets.front() == 0 && std::ranges::is_sorted(offsets) &&
-                    offsets.back() == neighbors.size();
-  if (!fits) return wrongArrays(file, "its arrays are not as long as each other, or offsets do not ascend");
-  for (const std::uint8_t each : status) {
-    if (each > static_cast<std::uint8_t>(Status::duplicate))
-      return wrongArrays(file, fmt::format("{} is no status", each));
-    diagram.status.push_back(static_cast<Status>(each));
-  }
-  diagram.owner = std::move(owner);
-  diagram.volume = std::move(volume);
-  diagram.face_offsets = std::move(offsets);
-  diagram.neighbors = std::move(neighbors);
-  return diagram;
 }
 
 }  // namespace vorpipe

@@ -1,4 +1,4 @@
-/// Writes cells in space as a file of any known kind, and reads those of .npz.
+/// Writes cells in space as a file of any known kind.
 #pragma once
 
 #include <span>
@@ -8,7 +8,6 @@
 
 #include "io/base/attribute.h"
 #include "io/base/byte_sink.h"
-#include "io/base/zip_file.h"
 #include "vorpipe.h"
 
 namespace vorpipe {
@@ -40,12 +39,5 @@ Result<const SpaceFormat*> spaceFormatOf(const std::string& path);
 
 /// Writes cells in input order; equal cells give equal bytes. Numbers in text read back to the same double.
 Result<void> writeSpaceCells(ByteSink& sink, const SpaceOutput& output, const SpaceFormat& format);
-
-/// Whether an archive has cells in space, as the one of writeSpaceCells.
-bool hasSpaceCells(const NpzFile& file);
-
-/// Reads what diffCells compares: status, owner, volumes and neighbors. Error (input): an array is missing,
-/// or does not fit the others.
-Result<Diagram3> readSpaceCells(const NpzFile& file);
 
 }  // namespace vorpipe
