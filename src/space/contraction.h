@@ -19,6 +19,8 @@ struct TieCounts {
   std::uint64_t edges = 0;  ///< edges whose ends became one
   std::uint64_t faces = 0;  ///< faces that are left with fewer than three vertices, in both of their cells
   std::uint64_t spurs = 0;  ///< rings that remain, and visited a vertex twice
+  std::uint64_t straight =
+      0;                    ///< vertices that were left between two edges around which the same cells stand
   std::uint64_t finer = 0;  ///< vertices that would have been too wide, or pinched a face: shorter ties there
   std::uint64_t flat = 0;   ///< cells with fewer than four faces
   std::uint64_t gone = 0;   ///< cells without faces
@@ -53,16 +55,19 @@ class Contraction {
 
  private:
   explicit Contraction(SharedVertices vertices) : vertices_(std::move(vertices)) { startAgain(); }
-  void startAgain() {
-    sets_ = std::make_unique<DisjointSets>(vertices_.size());
-    counts_ = {};
-  }
+  void startAgain();
   std::vector<std::uint32_t> findFaces(const Rows& rows, int threads);
+  std::vector<std::uint32_t> walkFaces(const Rows& rows, int threads);
+  std::uint64_t dropStraight(const Rows& rows, int threads);
+  void walk(std::size_t cell, const Row& row, std::size_t face, std::size_t k,
+            std::vector<RingStep>& steps) const;
 
   SharedVertices vertices_;
   std::unique_ptr<DisjointSets> sets_;
   std::vector<std::uint64_t> face_begin_;  ///< by cell: in remaining_
   BigVector<std::uint8_t> remaining_;
+  std::vector<std::uint8_t> dropped_;  ///< by vertex: 1 for those that are none; empty if there are no such
+  BigVector<std::uint8_t> marks_;      ///< by vertex: see contraction.cpp
   TieCounts counts_;
 };
 

@@ -6,6 +6,7 @@
 
 #include "base/parallel.h"
 #include "space/place.h"
+#include "space/ring_walk.h"
 
 namespace vorpipe::space {
 namespace {
@@ -25,19 +26,6 @@ std::size_t placeIn(const Ring& ring, std::size_t third) {
 }
 
 }  // namespace
-
-void walkRing(const SharedVertices& vertices, DisjointSets& sets, std::size_t cell, const Row& row,
-              std::size_t face, std::size_t k, std::vector<RingStep>& steps) {
-  steps.clear();
-  const std::size_t begin = row.ringBegin(face), n = row.ringBegin(face + 1) - begin;
-  std::uint32_t before = sets.root(vertices.at(cell, begin + (k == 0 ? n : k) - 1));
-  for (std::size_t step = 0; step < n; ++step) {
-    const std::uint32_t to = sets.root(vertices.at(cell, begin + k));
-    if (to != before) steps.push_back({static_cast<std::uint32_t>(begin + k), to});
-    before = to;
-    k = k + 1 == n ? 0 : k + 1;
-  }
-}
 
 TiedEdges::Ends TiedEdges::endsOf(const ShortEdge& edge) const {
   const Row row = rowOf(rows_, edge.site);
@@ -125,7 +113,8 @@ void TiedEdges::joinOnes(DisjointSets& sets, const std::vector<std::uint32_t>& c
         const Row row = rowOf(rows_, site);
         const std::size_t face = row.faceOf(low), third = row.faceOf(labels[out]);
         const auto own = static_cast<std::uint32_t>(row.ringBegin(face) + placeIn(row.ring(face), third));
-        walkRing(vertices_, sets, vertices_.cellOf(site), row, face, 0, steps);
+        walkRing(
+            vertices_, sets, [](auto) { return false; }, vertices_.cellOf(site), row, face, 0, steps);
         shorten(steps, [&](const RingStep& a, const RingStep& b) {
           if (a.edge_end != own && b.edge_end != own) return;
           const std::uint32_t other = a.edge_end == own ? b.edge_end : a.edge_end;

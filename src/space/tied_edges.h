@@ -8,7 +8,6 @@
 
 #include "base/disjoint_sets.h"
 #include "space/edge_classes.h"
-#include "space/ring_walk.h"
 #include "space/shared_vertices.h"
 #include "space/short_edges.h"
 
@@ -47,9 +46,5 @@ class TiedEdges {
   std::unordered_map<std::uint32_t, std::uint8_t> finer_;  ///< by vertex: steps of 64
   int threads_;
 };
-
-/// The steps along the ring of a face between vertices that are not one, from the k-th edge end on.
-void walkRing(const SharedVertices& vertices, DisjointSets& sets, std::size_t cell, const Row& row,
-              std::size_t face, std::size_t k, std::vector<RingStep>& steps);
 
 }  // namespace vorpipe::space
