@@ -35,8 +35,8 @@ void CarefulMeasures::takePlaces(Label site, const Row& row) {
     Point3 first{};
     for (std::size_t v = 0; v < place_.size(); ++v) {
       const auto& faces = vertices_.faces()[v];
-      const Point3 p = canonicalPlace(places_, site, row.neighbor[faces[0]], row.neighbor[faces[1]],
-                                      row.neighbor[faces[2]]);
+      const Point3 p = canonicalPlace(
+          places_, {site, row.neighbor[faces[0]], row.neighbor[faces[1]], row.neighbor[faces[2]]});
       if (v == 0) first = p;
       place_[v] = minus(p, first);
     }

@@ -214,8 +214,8 @@ void Polyhedra::placeVertices(const Clusters& clusters) {
       if (static_cast<std::uint32_t>(clusters.best[cluster]) != none - v) return;
       on = clusters.walls[cluster];
     }
-    Point3 p = canonicalPlace(cells_.places, site, row.neighbor[faces[0]], row.neighbor[faces[1]],
-                              row.neighbor[faces[2]]);
+    Point3 p = canonicalPlace(cells_.places,
+                              {site, row.neighbor[faces[0]], row.neighbor[faces[1]], row.neighbor[faces[2]]});
     if ((on & 3) != 0) p.x = (on & 1) != 0 ? box.xmin : box.xmax;
     if ((on & 12) != 0) p.y = (on & 4) != 0 ? box.ymin : box.ymax;
     if ((on & 48) != 0) p.z = (on & 16) != 0 ? box.zmin : box.zmax;
