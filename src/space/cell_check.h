@@ -1,0 +1,70 @@
+/// The certificate of a cell in space: conditions C1 to C3 of docs/space-algorithm.md.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+#include "space/corner_lanes.h"
+#include "space/measures.h"
+#include "space/rows.h"
+
+namespace vorpipe::space {
+
+/// Which condition a cell breaks.
+enum class Broken : std::uint8_t {
+  nothing,
+  row,          ///< C1: it has fewer than four faces, or two of one neighbor
+  rings,        ///< C1: its rings do not close around its vertices
+  glue,         ///< C1: a neighbor has no such face, or another ring in it
+  orientation,  ///< C2
+  edge,         ///< C3
+};
+
+struct Verdict {
+  Broken broken = Broken::nothing;
+  /// For glue the neighbor, for orientation and edge the labels of the vertices: sites whose cells are in
+  /// dispute, besides the cell itself. Walls and -7 name none.
+  std::array<Label, 4> with{-7, -7, -7, -7};
+  bool tied = false;    ///< an edge may be a tie
+  bool unsure = false;  ///< a vertex is too badly conditioned for measures
+};
+
+/// Checks cells one after another; one for each thread.
+class CellCheck {
+ public:
+  CellCheck(const Places& places, const Rows& rows);
+
+  /// Checks the cell of a site that has a row. Signs of a vertex or edge that double does not prove are left
+  /// to the least of its sites.
+  Verdict check(Label site);
+
+  // Of the last cell, if it is not broken and not unsure.
+  [[nodiscard]] CellMeasures measures() const;
+  [[nodiscard]] double faceArea(std::size_t face) const;
+
+ private:
+  bool takeRow();
+  bool takeRings();
+  template <class Index, class Begin, class Entry>
+  bool takeRingsOf(Index& vertex_of, const Begin* begin, const Entry* rings);
+  [[nodiscard]] bool isGlued(Verdict& verdict) const;
+  bool provedExactly(Verdict& verdict) const;
+  void reserve(std::size_t faces, std::size_t edge_ends);
+
+  const Places& places_;
+  const Rows& rows_;
+  FindCorners find_corners_;
+  double tie_wall_;
+  Label site_ = 0;
+  Row row_;
+  std::vector<double> by_face_, by_vertex_;
+  std::vector<std::int32_t> corners_, edges_;
+  std::vector<std::uint8_t> turned_, unproved_;
+  std::size_t face_room_ = 0, vertex_room_ = 0, edge_room_ = 0;
+  double *nx_ = nullptr, *ny_ = nullptr, *nz_ = nullptr, *h_ = nullptr, *distance_ = nullptr;
+  CornerJob job_{};
+};
+
+}  // namespace vorpipe::space

@@ -1,0 +1,243 @@
+#include "space/certify.h"
+
+#include <algorithm>
+#include <atomic>
+#include <mutex>
+#include <string>
+#include <unordered_map>
+#include <utility>
+
+#include "base/parallel.h"
+#include "base/try.h"
+#include "space/exact_search.h"
+
+namespace vorpipe::space {
+namespace {
+
+using Sites = std::vector<std::uint32_t>;
+
+void sortUnique(Sites& sites) {
+  std::ranges::sort(sites);
+  sites.erase(std::ranges::unique(sites).begin(), sites.end());
+}
+
+class Certifier {
+ public:
+  Certifier(const SiteBins& bins, int threads)
+      : bins_(bins),
+        places_(bins.places()),
+        threads_(threads),
+        found_(bins.sites.size()),
+        tied_(bins.sites.size(), 0),
+        careful_(bins.sites.size(), 0),
+        exact_(bins.sites.size(), 0) {
+    found_.face_areas.resize(bins.sites.size());
+  }
+
+  Result<CertifiedRows> run(const Progress& progress) {
+    const auto stopped = [&progress](double part) { return progress && !progress("cells", part); };
+    const Error cancelled{ErrorCode::cancelled, "stopped"};
+    propose();
+    if (stopped(0.4)) return tl::unexpected(cancelled);
+    recompute();
+    Sites which(bins_.sites.size());
+    for (std::uint32_t i = 0; i < which.size(); ++i) which[i] = i;
+    bool all = false;
+    for (;;) {
+      if (stopped(0.6)) return tl::unexpected(cancelled);
+      check(which);
+      if (disputed_.empty()) {
+        if (cellsOfCorner(found_.rows) == 1 && !forgetsSite(places_, found_.rows, exact_)) break;
+        if (all) return tl::unexpected(remains("the cells do not cover the box once"));
+        all = true;
+        disputed_.resize(bins_.sites.size());
+        for (std::uint32_t i = 0; i < disputed_.size(); ++i) disputed_[i] = i;
+      }
+      const std::uint32_t first = disputed_.front();
+      std::erase_if(disputed_, [this](std::uint32_t i) { return exact_[i] != 0; });
+      if (disputed_.empty()) {
+        return tl::unexpected(
+            remains("the cell of site " + std::to_string(bins_.input[first]) + " remains in dispute"));
+      }
+      which = around(disputed_);
+      recompute();
+      const Sites after = around(which);
+      which.insert(which.end(), after.begin(), after.end());
+      sortUnique(which);
+    }
+    for (std::uint32_t i = 0; i < careful_.size(); ++i) {
+      if (tied_[i] != 0) found_.tied.push_back(i);
+      if (careful_[i] != 0) found_.careful.push_back(i);
+    }
+    return std::move(found_);
+  }
+
+ private:
+  static Error remains(const std::string& what) {
+    return {ErrorCode::device, what + " after exact arithmetic: a fault of vorpipe"};
+  }
+
+  /// Runs body(begin, end, arena) for ranges of [0, count), each with an arena of its own.
+  template <class Body>
+  void inArenas(std::size_t count, std::size_t grain, const Body& body) {
+    parallelFor(count, grain, threads_, [&](std::size_t begin, std::size_t end) {
+      RowArena arena;
+      body(begin, end, arena);
+      const std::scoped_lock lock(mutex_);
+      found_.arenas.push_back(std::move(arena));
+    });
+  }
+  void dispute(Sites sites) {
+    const std::scoped_lock lock(mutex_);
+    disputed_.insert(disputed_.end(), sites.begin(), sites.end());
+  }
+
+  void propose() {
+    const LaneBins lanes = bins_.lanes();
+    const ProposeCells lanes_function = proposeCells();
+    const std::size_t grain = std::clamp<std::size_t>(bins_.bins() / 16, 1, 4096);
+    inArenas(bins_.bins(), grain, [&](std::size_t begin, std::size_t end, RowArena& arena) {
+      struct Taken {
+        Rows& rows;
+        RowArena& arena;
+        Sites left;
+      } taken{found_.rows, arena, {}};
+      lanes_function(
+          lanes, static_cast<std::uint32_t>(begin), static_cast<std::uint32_t>(end),
+          [](void* context, std::uint32_t site, const ProposedCell& cell) {
+            auto& [rows, into, left] = *static_cast<Taken*>(context);
+            if (cell.state == Proposed::whole &&
+                rows.set(site, {cell.neighbor, static_cast<std::size_t>(cell.faces)}, cell.corner,
+                         static_cast<std::size_t>(cell.vertices), into)) {
+              return;
+            }
+            left.push_back(site);
+          },
+          &taken);
+      dispute(std::move(taken.left));
+    });
+  }
+
+  /// Recomputes the cells in dispute exactly.
+  void recompute() {
+    sortUnique(disputed_);
+    std::atomic<std::uint64_t> count{0};
+    inArenas(disputed_.size(), 64, [&](std::size_t begin, std::size_t end, RowArena& arena) {
+      std::vector<Label> neighbors;
+      std::vector<std::array<std::uint32_t, 3>> vertices;
+      for (std::size_t k = begin; k < end; ++k) {
+        const std::uint32_t site = disputed_[k];
+        const ExactCell cell = exactCellOf(bins_, static_cast<Label>(site));
+        exact_[site] = 1;
+        ++count;
+        found_.rows.clear(site);
+        if (cell.empty()) continue;
+        neighbors.clear();
+        vertices.clear();
+        for (const auto& corner : cell.vertices())
+          neighbors.insert(neighbors.end(), corner.begin(), corner.end());
+        std::ranges::sort(neighbors);
+        neighbors.erase(std::ranges::unique(neighbors).begin(), neighbors.end());
+        for (const auto& corner : cell.vertices()) {
+          std::array<std::uint32_t, 3> faces{};
+          for (std::size_t e = 0; e < 3; ++e) {
+            faces[e] = static_cast<std::uint32_t>(std::ranges::lower_bound(neighbors, corner[e]) -
+                                                  neighbors.begin());
+          }
+          vertices.push_back(faces);
+        }
+        found_.rows.set(site, neighbors, vertices, arena);
+      }
+    });
+    found_.exact += count;
+    disputed_.clear();
+  }
+
+  /// Checks cells, keeps their measures, and disputes those that are not proved.
+  void check(const Sites& which) {
+    const std::size_t grain = std::clamp<std::size_t>(which.size() / 16, 1, 4096);
+    parallelFor(which.size(), grain, threads_, [&](std::size_t begin, std::size_t end) {
+      CellCheck cell_check(places_, found_.rows);
+      Sites disputed;
+      for (std::size_t k = begin; k < end; ++k) {
+        const std::uint32_t site = which[k];
+        if (found_.rows[site].faces == 0) {
+          if (exact_[site] == 0) disputed.push_back(site);
+          continue;
+        }
+        const Verdict verdict = cell_check.check(static_cast<Label>(site));
+        if (verdict.broken != Broken::nothing) {
+          disputed.push_back(site);
+          for (const Label with : verdict.with) {
+            if (!isWallLabel(with)) disputed.push_back(static_cast<std::uint32_t>(with));
+          }
+          continue;
+        }
+        tied_[site] = verdict.tied ? 1 : 0;
+        careful_[site] = verdict.unsure ? 1 : 0;
+        found_.measures[site] = cell_check.measures();
+        auto& areas = found_.face_areas[site];
+        areas.resize(found_.rows[site].faces);
+        for (std::size_t f = 0; f < areas.size(); ++f) areas[f] = cell_check.faceArea(f);
+      }
+      dispute(std::move(disputed));
+    });
+    sortUnique(disputed_);
+  }
+
+  /// The sites, and the neighbors of their cells.
+  [[nodiscard]] Sites around(const Sites& sites) const {
+    Sites all = sites;
+    for (const std::uint32_t site : sites) {
+      for (const Label label : found_.rows[site].neighbors()) {
+        if (!isWallLabel(label)) all.push_back(static_cast<std::uint32_t>(label));
+      }
+    }
+    sortUnique(all);
+    return all;
+  }
+
+  const SiteBins& bins_;
+  Places places_;
+  int threads_;
+  CertifiedRows found_;
+  std::vector<std::uint8_t> tied_, careful_, exact_;  ///< by site
+  Sites disputed_;
+  std::mutex mutex_;
+};
+
+}  // namespace
+
+std::size_t cellsOfCorner(const Rows& rows) {
+  std::size_t cells = 0;
+  for (std::size_t site = 0; site < rows.size(); ++site) {
+    const Row row = rows[site];
+    const std::size_t x = row.faceOf(labelOfWall(0)), y = row.faceOf(labelOfWall(2)),
+                      z = row.faceOf(labelOfWall(4));
+    if (x == row.faces || y == row.faces || z == row.faces) continue;
+    const Ring ring = row.ring(x);
+    for (std::size_t k = 0; k < ring.size(); ++k) {
+      const std::size_t b = ring[k], c = ring[k + 1 == ring.size() ? 0 : k + 1];
+      cells += (b == y && c == z) || (b == z && c == y) ? 1 : 0;
+    }
+  }
+  return cells;
+}
+
+bool forgetsSite(const Places& places, const Rows& rows, std::span<const std::uint8_t> exact) {
+  const Box3& box = places.box;
+  for (std::size_t site = 0; site < rows.size(); ++site) {
+    if (rows[site].faces != 0) continue;
+    const Point3& p = places.sites[site];
+    const bool outside = p.x < box.xmin || p.x > box.xmax || p.y < box.ymin || p.y > box.ymax ||
+                         p.z < box.zmin || p.z > box.zmax;
+    if (exact[site] == 0 || !outside) return true;
+  }
+  return false;
+}
+
+Result<CertifiedRows> certify(const SiteBins& bins, const Progress& progress, int threads) {
+  return Certifier(bins, threads).run(progress);
+}
+
+}  // namespace vorpipe::space

@@ -1,0 +1,148 @@
+// Compiled once for each set of instructions. No product is joined with a sum: the bits are the same in all.
+#include "space/corner_lanes.h"
+
+namespace vorpipe::space {
+namespace {
+
+constexpr std::size_t lanes = 8;
+using Reals [[gnu::vector_size(8 * lanes)]] = double;
+using Truths [[gnu::vector_size(8 * lanes)]] = std::int64_t;
+
+/// 2^-53.
+constexpr double rounding = 1.1102230246251565e-16;
+
+inline Reals gather(const double* from, const std::int32_t* place) {
+  return Reals{from[place[0]], from[place[1]], from[place[2]], from[place[3]],
+               from[place[4]], from[place[5]], from[place[6]], from[place[7]]};
+}
+inline Reals load(const double* from) {
+  Reals all;
+  __builtin_memcpy(&all, from, sizeof all);
+  return all;
+}
+inline void store(double* to, const Reals& all) { __builtin_memcpy(to, &all, sizeof all); }
+inline Reals magnitude(const Reals& a) { return a < 0 ? -a : a; }
+inline Reals greater(const Reals& a, const Reals& b) { return a > b ? a : b; }
+inline Reals less(const Reals& a, const Reals& b) { return a < b ? a : b; }
+
+struct Vectors {
+  Reals x, y, z;
+};
+inline Vectors gather(const CornerJob& job, const std::int32_t* face) {
+  return {gather(job.nx, face), gather(job.ny, face), gather(job.nz, face)};
+}
+inline Vectors cross(const Vectors& a, const Vectors& b) {
+  return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
+}
+inline Reals dot(const Vectors& a, const Vectors& b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
+/// The sum of the components' magnitudes.
+inline Reals sizeOf(const Vectors& a) { return magnitude(a.x) + magnitude(a.y) + magnitude(a.z); }
+
+/// The vertices v .. v + 7. `count` of them are in use.
+void placeVertices(CornerJob& job, std::size_t v, std::size_t count) {
+  const Vectors a = gather(job, job.corner[0] + v), b = gather(job, job.corner[1] + v),
+                c = gather(job, job.corner[2] + v);
+  const Reals ah = gather(job.h, job.corner[0] + v), bh = gather(job.h, job.corner[1] + v),
+              ch = gather(job.h, job.corner[2] + v);
+  const Vectors bc = cross(b, c), ca = cross(c, a), ab = cross(a, b);
+  const Reals det = dot(a, bc);
+  const Reals am = sizeOf(a), bm = sizeOf(b), cm = sizeOf(c);
+  const Reals product = am * bm * cm;
+  const Reals inverse = 1 / det;
+  const Reals x = (ah * bc.x + bh * ca.x + ch * ab.x) * inverse;
+  const Reals y = (ah * bc.y + bh * ca.y + ch * ab.y) * inverse;
+  const Reals z = (ah * bc.z + bh * ca.z + ch * ab.z) * inverse;
+  store(job.x + v, x);
+  store(job.y + v, y);
+  store(job.z + v, z);
+  // The determinant has the sign that is seen beyond 8 rounding errors of that product, and a place an error
+  // of k (16 sum h / m + 10 R) of them, where k is the product over the determinant and R the place's length:
+  // see docs/space-algorithm.md. Lengths of edges take 8 R more.
+  const Reals condition = product * inverse;
+  const Reals length = magnitude(x) + magnitude(y) + magnitude(z);
+  const Reals error =
+      rounding *
+      (condition * (16 * (magnitude(ah) / am + magnitude(bh) / bm + magnitude(ch) / cm) + 10 * length) +
+       8 * length);
+  const Truths turned = ~(det > 8 * rounding * product);
+  const Truths bad = turned | ~(condition <= worst_condition);
+  store(job.error + v, bad ? Reals{} + __builtin_inf() : error);
+  for (std::size_t k = 0; k < count; ++k) {
+    job.turned[v + k] = turned[k] != 0 ? 1 : 0;
+    job.unsure = job.unsure || bad[k] != 0;
+  }
+}
+
+/// The edges e .. e + 7. Adds what the measures take.
+void proveEdges(CornerJob& job, std::size_t e, std::size_t count, double* area_a, double* area_b,
+                Vectors& moment) {
+  const Vectors a = gather(job, job.a + e), b = gather(job, job.b + e);
+  const Vectors u{gather(job.x, job.from + e), gather(job.y, job.from + e), gather(job.z, job.from + e)};
+  const Vectors w{gather(job.x, job.to + e), gather(job.y, job.to + e), gather(job.z, job.to + e)};
+  const Reals error = gather(job.error, job.from + e) + gather(job.error, job.to + e);
+  const Vectors along = cross(b, a);
+  const Vectors way{w.x - u.x, w.y - u.y, w.z - u.z};
+  const Reals length = dot(way, along);
+  const Reals size = sizeOf(along);
+  const Reals least = less(gather(job.distance, job.a + e), gather(job.distance, job.b + e));
+  const Truths unproved = ~(length > size * error);
+  const Truths tied = ~(length > size * (error + job.tie * least));
+  for (std::size_t k = 0; k < count; ++k) {
+    job.unproved[e + k] = unproved[k] != 0 ? 1 : 0;
+    job.tied = job.tied || tied[k] != 0;
+  }
+  if (!job.measure) return;
+  const Vectors turn = cross(u, w);
+  const Reals on_a = dot(a, turn), on_b = dot(b, turn);
+  store(area_a, on_a);
+  store(area_b, on_b);
+  // Tetrahedra of the site, the foot of each face's plane, and the edge: it runs counter-clockwise around b.
+  const Reals ga = gather(job.h, job.a + e) / dot(a, a), gb = gather(job.h, job.b + e) / dot(b, b);
+  Reals both = gb * on_b - ga * on_a;
+  for (std::size_t k = count; k < lanes; ++k) both[k] = 0;
+  moment.x += both * (u.x + w.x);
+  moment.y += both * (u.y + w.y);
+  moment.z += both * (u.z + w.z);
+}
+
+inline double sum(const Reals& all) {
+  return ((all[0] + all[1]) + (all[2] + all[3])) + ((all[4] + all[5]) + (all[6] + all[7]));
+}
+
+}  // namespace
+
+// NOLINTNEXTLINE(misc-use-internal-linkage): declared by lane_width.cpp
+void VORPIPE_LANES_FUNCTION(CornerJob& job) {
+  job.unsure = job.tied = false;
+  for (std::size_t v = 0; v < job.vertices; v += lanes) {
+    placeVertices(job, v, job.vertices - v < lanes ? job.vertices - v : lanes);
+  }
+  Vectors moments{};
+  for (std::size_t f = 0; f < job.faces; ++f) job.twice_area[f] = 0;
+  for (std::size_t e = 0; e < job.edges; e += lanes) {
+    const std::size_t count = job.edges - e < lanes ? job.edges - e : lanes;
+    double area_a[lanes], area_b[lanes];
+    proveEdges(job, e, count, area_a, area_b, moments);
+    if (!job.measure) continue;
+    for (std::size_t k = 0; k < count; ++k) {
+      job.twice_area[job.a[e + k]] -= area_a[k];
+      job.twice_area[job.b[e + k]] += area_b[k];
+    }
+  }
+  if (!job.measure) return;
+  double volume = 0, surface = 0, moment[3] = {sum(moments.x), sum(moments.y), sum(moments.z)};
+  for (std::size_t f = 0; f < job.faces; ++f) {
+    const double squared = job.nx[f] * job.nx[f] + job.ny[f] * job.ny[f] + job.nz[f] * job.nz[f];
+    const double foot = job.h[f] / squared, six_volumes = foot * job.twice_area[f];
+    volume += six_volumes;
+    surface += job.twice_area[f] / __builtin_sqrt(squared);
+    moment[0] += six_volumes * foot * job.nx[f];
+    moment[1] += six_volumes * foot * job.ny[f];
+    moment[2] += six_volumes * foot * job.nz[f];
+  }
+  job.volume = volume / 6;
+  job.surface = surface / 2;
+  for (std::size_t k = 0; k < 3; ++k) job.centroid[k] = moment[k] / (4 * volume);
+}
+
+}  // namespace vorpipe::space

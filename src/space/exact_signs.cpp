@@ -1,0 +1,283 @@
+#include "space/exact_signs.h"
+
+#include <boost/multiprecision/cpp_int.hpp>
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cmath>
+#include <cstdint>
+
+#include "base/double_double.h"
+#include "space/broken_tie.h"
+#include "space/fixed_integer.h"
+#include "space/relative.h"
+
+namespace vorpipe::space {
+namespace {
+
+/// Without expression templates, whose references would outlive what functions return.
+using AnyInteger =
+    boost::multiprecision::number<boost::multiprecision::cpp_int_backend<>, boost::multiprecision::et_off>;
+
+/// The kinds of integers that determinants are computed in. Coordinates are less than 2^bits, so that a 2x2
+/// minor is less than 2^(2 bits + 1), a 3x3 determinant than 2^(3 bits + 2.6), a lift than 2^(2 bits + 1.6),
+/// and a 4x4 determinant than 2^(5 bits + 6.2).
+struct ShortIntegers {
+  static constexpr int bits = 24;
+  using Coordinate = std::int64_t;
+  using Pair = std::int64_t;  ///< minors and lifts
+  using Triple = Int128;
+  using Whole = Int128;
+  static Triple times(Pair a, Coordinate b) { return static_cast<Triple>(a) * b; }
+  static Whole times(Triple a, Pair b) { return a * b; }
+};
+
+struct LongIntegers {
+  static constexpr int bits = 62;
+  using Coordinate = std::int64_t;
+  using Pair = Int128;
+  using Triple = FixedInteger<3>;
+  using Whole = FixedInteger<5>;
+  static Triple times(Pair a, Coordinate b) { return product(a, b); }
+  static Whole times(const Triple& a, Pair b) { return product(a, b); }
+};
+
+struct AnyIntegers {
+  using Coordinate = AnyInteger;
+  using Pair = AnyInteger;
+  using Triple = AnyInteger;
+  using Whole = AnyInteger;
+  static AnyInteger times(const AnyInteger& a, const AnyInteger& b) { return a * b; }
+};
+
+/// Places relative to a site, exactly: of a site three numbers, of a wall its distance.
+template <std::size_t size>
+struct ExactTuple {
+  std::array<Label, size> label;
+  std::array<std::array<DoubleDouble, 3>, size> number;
+
+  ExactTuple(const Places& places, Label site, const std::array<Label, size>& labels) : label(labels) {
+    const Point3& from = places.sites[site];
+    for (std::size_t k = 0; k < size; ++k) {
+      if (isWallLabel(label[k])) {
+        const int axis = axisOf(wallOf(label[k]));
+        const auto distance = DoubleDouble::sum(wallOffset(places, label[k]), -coordinate(from, axis));
+        number[k][0] = isUpper(wallOf(label[k])) ? distance : -distance;
+      } else {
+        const Point3& to = places.sites[label[k]];
+        number[k] = {DoubleDouble::sum(to.x, -from.x), DoubleDouble::sum(to.y, -from.y),
+                     DoubleDouble::sum(to.z, -from.z)};
+      }
+    }
+  }
+};
+
+template <class Integers>
+struct Row {
+  typename Integers::Coordinate x{}, y{}, z{};
+  typename Integers::Pair lift{};
+
+  void set(Label label, const std::array<typename Integers::Coordinate, 3>& number) {
+    using Pair = typename Integers::Pair;
+    if (isWallLabel(label)) {
+      const int axis = axisOf(wallOf(label)), out = isUpper(wallOf(label)) ? 1 : -1;
+      x = axis == 0 ? out : 0;
+      y = axis == 1 ? out : 0;
+      z = axis == 2 ? out : 0;
+      lift = Pair(number[0]) * 2;
+    } else {
+      x = number[0];
+      y = number[1];
+      z = number[2];
+      lift = Pair(x) * x + Pair(y) * y + Pair(z) * z;
+    }
+  }
+};
+
+template <class Integers>
+typename Integers::Pair minorOf(const Row<Integers>& a, const Row<Integers>& b) {
+  using Pair = typename Integers::Pair;
+  return Pair(a.x) * b.y - Pair(a.y) * b.x;
+}
+
+/// The determinant of three d: a (b x c) - b (a x c) + c (a x b), from minors in x and y. Called, it
+/// would write long integers to memory in other parts than it reads them in, for which processors wait: three
+/// times as slow.
+template <class Integers, class Pair>
+[[gnu::always_inline]] inline auto determinant(const Row<Integers>& a, const Pair& bc, const Row<Integers>& b,
+                                               const Pair& ac, const Row<Integers>& c, const Pair& ab) {
+  return Integers::times(bc, a.z) - Integers::times(ac, b.z) + Integers::times(ab, c.z);
+}
+
+/// Its logarithm to base 2, rounded down; -1023 if it is less than 2^-1022.
+int exponentOf(double positive) {
+  return static_cast<int>(std::bit_cast<std::uint64_t>(positive) >> 52U) - 1023;
+}
+
+double powerOfTwo(int exponent) {
+  return std::bit_cast<double>(static_cast<std::uint64_t>(exponent + 1023) << 52U);
+}
+
+/// Numbers as multiples of one power of two, if each fits.
+class Units {
+ public:
+  template <std::size_t size>
+  explicit Units(const ExactTuple<size>& tuple) {
+    double largest = 0;
+    for (const auto& place : tuple.number) {
+      for (const auto& number : place) largest = std::max(largest, std::abs(number.high));
+    }
+    // So that any number with its rounding error is less than 2^62. Beyond, the unit's inverse is no double.
+    const int exponent = std::max(exponentOf(largest), -900);
+    unit_ = powerOfTwo(exponent - 61);
+    per_unit_ = powerOfTwo(61 - exponent);
+  }
+
+  /// The number; if it is no multiple of the unit, fit() is false from then on.
+  std::int64_t whole(const DoubleDouble& number) {
+    std::int64_t sum = part(number.high);
+    if (number.low != 0) sum += part(number.low);
+    bits_ |= sum < 0 ? -sum : sum;
+    return sum;
+  }
+
+  [[nodiscard]] bool fit() const { return fit_; }
+  /// The bits that are not 0 in all numbers, from which shift() zeros are taken away at the end.
+  [[nodiscard]] int shift() const { return bits_ == 0 ? 0 : std::countr_zero(word()); }
+  [[nodiscard]] int bits() const { return static_cast<int>(std::bit_width(word())) - shift(); }
+
+ private:
+  [[nodiscard]] std::uint64_t word() const { return static_cast<std::uint64_t>(bits_); }
+
+  std::int64_t part(double number) {
+    const auto units = static_cast<std::int64_t>(number * per_unit_);
+    fit_ = fit_ && static_cast<double>(units) * unit_ == number;
+    return units;
+  }
+
+  double unit_, per_unit_;
+  std::int64_t bits_ = 0;
+  bool fit_ = true;
+};
+
+template <class Integers, std::size_t size, class Numbers, class Use>
+int withRows(const ExactTuple<size>& tuple, const Numbers& number, const Use& use) {
+  std::array<Row<Integers>, size> row;
+  for (std::size_t k = 0; k < size; ++k) row[k].set(tuple.label[k], number[k]);
+  return use(row);
+}
+
+/// number / 2^least.
+AnyInteger scaled(double number, int least) {
+  if (number == 0) return 0;
+  int exponent = 0;
+  const auto digits = static_cast<std::int64_t>(std::ldexp(std::frexp(number, &exponent), 53));
+  return AnyInteger(digits) << (exponent - 53 - least);
+}
+
+/// The exponent of a unit of all numbers.
+template <std::size_t size>
+int leastBit(const ExactTuple<size>& tuple) {
+  int least = 2000;
+  const auto takeIn = [&](double number) {
+    if (number != 0) least = std::min(least, std::ilogb(number) - 52);
+  };
+  for (const auto& place : tuple.number) {
+    for (const auto& number : place) {
+      takeIn(number.high);
+      takeIn(number.low);
+    }
+  }
+  return least;
+}
+
+template <std::size_t size, class Use>
+int withAnyIntegers(const ExactTuple<size>& tuple, int least, const Use& use) {
+  std::array<std::array<AnyInteger, 3>, size> number;
+  for (std::size_t k = 0; k < size; ++k) {
+    for (std::size_t c = 0; c < 3; ++c) {
+      number[k][c] = scaled(tuple.number[k][c].high, least) + scaled(tuple.number[k][c].low, least);
+    }
+  }
+  return withRows<AnyIntegers>(tuple, number, use);
+}
+
+/// Calls it with rows of the least integers that hold them.
+template <std::size_t size, class Use>
+int withIntegers(const ExactTuple<size>& tuple, const Use& use) {
+  Units units(tuple);
+  std::array<std::array<std::int64_t, 3>, size> number{};
+  for (std::size_t k = 0; k < size; ++k) {
+    for (std::size_t c = 0; c < 3; ++c) number[k][c] = units.whole(tuple.number[k][c]);
+  }
+  if (!units.fit()) return withAnyIntegers(tuple, leastBit(tuple), use);
+  const int shift = units.shift();
+  for (auto& place : number) {
+    for (auto& n : place) n >>= shift;
+  }
+  static_assert(LongIntegers::bits == 62);
+  if (units.bits() > ShortIntegers::bits) return withRows<LongIntegers>(tuple, number, use);
+  return withRows<ShortIntegers>(tuple, number, use);
+}
+
+/// 2^exponent a / b, rounded twice.
+double quotient(const AnyInteger& a, const AnyInteger& b, int exponent) {
+  if (a == 0) return 0;
+  const AnyInteger dividend = abs(a), divisor = abs(b);
+  const int shift = 64 + static_cast<int>(msb(divisor)) - static_cast<int>(msb(dividend));
+  const AnyInteger digits = shift > 0 ? (dividend << shift) / divisor : dividend / (divisor << -shift);
+  const double magnitude = std::ldexp(static_cast<double>(digits), exponent - shift);
+  return a.sign() == b.sign() ? magnitude : -magnitude;
+}
+
+}  // namespace
+
+int exactOrientation(const Places& places, Label i, const std::array<Label, 3>& other) {
+  return withIntegers(ExactTuple<3>(places, i, other),
+                      []<class Integers>(const std::array<Row<Integers>, 3>& row) {
+                        const auto& [a, b, c] = row;
+                        return signOf(determinant(a, minorOf(b, c), b, minorOf(a, c), c, minorOf(a, b)));
+                      });
+}
+
+/// At the vertex p = (sum of lift_e (d_f x d_g)) / (2 det) of three labels the lift of the fourth less 2 p .
+/// d is the determinant of the four rows (d, lift), over that of the three d.
+int exactSide(const Places& places, Label i, const std::array<Label, 4>& other) {
+  const auto side = [&]<class Integers>(const std::array<Row<Integers>, 4>& row) {
+    const auto& [a, b, c, d] = row;
+    const auto ab = minorOf(a, b), ac = minorOf(a, c), ad = minorOf(a, d);
+    const auto bc = minorOf(b, c), bd = minorOf(b, d), cd = minorOf(c, d);
+    const std::array<typename Integers::Triple, 4> cofactor{
+        -determinant(b, cd, c, bd, d, bc), determinant(a, cd, c, ad, d, ac),
+        -determinant(a, bd, b, ad, d, ab), determinant(a, bc, b, ac, c, ab)};
+    typename Integers::Whole whole{};
+    for (std::size_t k = 0; k < 4; ++k) whole += Integers::times(cofactor[k], row[k].lift);
+    const int sign = signOf(whole);
+    return signOf(cofactor[3]) * (sign != 0 ? sign : brokenTie(places, i, other, cofactor));
+  };
+  return withIntegers(ExactTuple<4>(places, i, other), side);
+}
+
+Point3 exactPlace(const Places& places, Label i, const std::array<Label, 3>& other) {
+  const ExactTuple<3> tuple(places, i, other);
+  const int least = leastBit(tuple);
+  Point3 place{};
+  withAnyIntegers(tuple, least, [&](const std::array<Row<AnyIntegers>, 3>& row) {
+    const auto& [a, b, c] = row;
+    const AnyInteger twice = 2 * determinant(a, minorOf(b, c), b, minorOf(a, c), c, minorOf(a, b));
+    const auto component = [&](auto first, auto second) {
+      const auto minor = [&](const Row<AnyIntegers>& p, const Row<AnyIntegers>& q) {
+        return AnyInteger(p.*first * q.*second - p.*second * q.*first);
+      };
+      const AnyInteger sum = a.lift * minor(b, c) + b.lift * minor(c, a) + c.lift * minor(a, b);
+      return quotient(sum, twice, least);
+    };
+    using Any = Row<AnyIntegers>;
+    place = {component(&Any::y, &Any::z), component(&Any::z, &Any::x), component(&Any::x, &Any::y)};
+    return 0;
+  });
+  return place;
+}
+
+}  // namespace vorpipe::space

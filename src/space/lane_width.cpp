@@ -1,0 +1,37 @@
+#include "base/lane_width.h"
+
+#include "space/corner_lanes.h"
+#include "space/polyhedron_lanes.h"
+
+namespace vorpipe::space {
+
+// Compiled from polyhedron_lanes.cpp and corner_lanes.cpp; see CMakeLists.txt.
+#define VORPIPE_PROPOSE(name)                                                     \
+  void name(const LaneBins& bins, std::uint32_t bin_begin, std::uint32_t bin_end, \
+            void (*take)(void*, std::uint32_t, const ProposedCell&), void* context)
+VORPIPE_PROPOSE(proposeIn4Lanes);
+void cornersIn4Lanes(CornerJob& job);
+#ifdef VORPIPE_WIDE_LANES
+VORPIPE_PROPOSE(proposeIn8Lanes);
+VORPIPE_PROPOSE(proposeIn16Lanes);
+void cornersIn8Lanes(CornerJob& job);
+void cornersIn16Lanes(CornerJob& job);
+#endif
+
+ProposeCells proposeCells() {
+#ifdef VORPIPE_WIDE_LANES
+  if (laneWidth() >= 16) return proposeIn16Lanes;
+  if (laneWidth() >= 8) return proposeIn8Lanes;
+#endif
+  return proposeIn4Lanes;
+}
+
+FindCorners findCorners() {
+#ifdef VORPIPE_WIDE_LANES
+  if (laneWidth() >= 16) return cornersIn16Lanes;
+  if (laneWidth() >= 8) return cornersIn8Lanes;
+#endif
+  return cornersIn4Lanes;
+}
+
+}  // namespace vorpipe::space

@@ -1,0 +1,22 @@
+# Vertices side by side, as the cells of backend/cpu/lanes.cmake. Products of proposals may be joined with sums: they are
+# checked. Those of the check may not: its bits are the same with all instructions.
+set(space_flags_8 -mavx2 -mfma -mbmi -mbmi2)
+set(space_flags_16 -march=x86-64-v4 -mprefer-vector-width=512)
+function(vorpipe_add_space_lanes lanes source name)
+  set(target vorpipe_space_${lanes}_${name})
+  add_library(${target} OBJECT space/${source})
+  target_compile_definitions(${target} PRIVATE VORPIPE_LANES=${lanes} VORPIPE_LANES_FUNCTION=${name}In${lanes}Lanes)
+  target_compile_options(${target} PRIVATE $<IF:$<CONFIG:Release>,-O3,-O2> -fno-trapping-math -fno-math-errno
+                                           -Wno-psabi ${space_flags_${lanes}} ${ARGN})
+  target_link_libraries(${target} PRIVATE vorpipe_options vorpipe_glsl)
+  target_sources(vorpipe_space PRIVATE $<TARGET_OBJECTS:${target}>)
+endfunction()
+foreach(lanes 4 8 16)
+  if(lanes EQUAL 4 OR VORPIPE_HAS_X86_64_V4)
+    vorpipe_add_space_lanes(${lanes} polyhedron_lanes.cpp propose -ffp-contract=fast)
+    vorpipe_add_space_lanes(${lanes} corner_lanes.cpp corners)
+  endif()
+endforeach()
+if(VORPIPE_HAS_X86_64_V4)
+  set_source_files_properties(space/lane_width.cpp PROPERTIES COMPILE_DEFINITIONS VORPIPE_WIDE_LANES)
+endif()

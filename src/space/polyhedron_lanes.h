@@ -1,0 +1,49 @@
+/// Proposes cells in space: one after another, with their vertices side by side
+/// (shaders/glsl/polyhedron.glsl).
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+
+namespace vorpipe::space {
+
+/// Places of bins relative to one another, by ascending distance from a part of a bin.
+struct BinStep {
+  std::int8_t x, y, z;
+  float squared_distance;  ///< least, between the part and the bin, in sides of bins
+};
+
+/// Parts of a bin along an axis, each of which has an order of the bins around.
+constexpr int parts_of_bin = 4;
+
+/// Sites in bins, for the lanes: plain arrays, because lanes are compiled for other instructions.
+struct LaneBins {
+  int count[3];                ///< of bins along each axis
+  float side;                  ///< of a bin
+  const std::uint32_t* begin;  ///< by bin, x first, then y: its first site
+  const float *x, *y, *z;      ///< by site: relative to the corner of its bin
+  float corner[3];             ///< of bin (0, 0, 0), relative to that of the domain
+  float extent[3];             ///< of the domain
+  const BinStep* steps;        ///< for each part, x first: step_count of them
+  std::size_t step_count;
+};
+
+enum class Proposed : std::uint8_t { whole, empty, uncertain };
+
+/// A cell as its faces and vertices.
+struct ProposedCell {
+  Proposed state;
+  int faces, vertices;
+  std::int32_t neighbor[64];   ///< by face
+  std::uint8_t corner[64][4];  ///< by vertex: its faces, counter-clockwise seen from outside
+};
+
+/// Calls take(context, site, cell) for the sites of some bins, in order.
+using ProposeCells = void (*)(const LaneBins& bins, std::uint32_t bin_begin, std::uint32_t bin_end,
+                              void (*take)(void* context, std::uint32_t site, const ProposedCell& cell),
+                              void* context);
+
+/// The widest that the processor has. VORPIPE_LANES limits it.
+ProposeCells proposeCells();
+
+}  // namespace vorpipe::space

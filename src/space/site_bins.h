@@ -1,0 +1,41 @@
+/// Sites of a run: scaled, in the order of bins, each position once.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "base/big_vector.h"
+#include "space/label.h"
+#include "space/polyhedron_lanes.h"
+#include "vorpipe/result.h"
+
+namespace vorpipe::space {
+
+/// Sites of the caller as a run uses them.
+struct SiteBins {
+  double scale = 1;         ///< a power of two: coordinates of a run are those of the caller times this
+  Box3 box{};               ///< of the run
+  BigVector<Point3> sites;  ///< bin by bin
+  std::vector<std::uint32_t> input;  ///< by site of the run: its index among those of the caller
+  std::vector<std::uint32_t> owner;  ///< by site of the caller: the first with the same position
+
+  int count[3] = {1, 1, 1};          ///< of bins along each axis
+  double side = 1;                   ///< of a bin
+  Point3 corner{};                   ///< of bin (0, 0, 0)
+  std::vector<std::uint32_t> begin;  ///< by bin, x first, then y: its first site
+  BigVector<float> x, y, z;          ///< by site: relative to the corner of its bin
+  std::vector<BinStep> steps;        ///< see LaneBins
+
+  [[nodiscard]] Places places() const { return {sites.data(), box}; }
+  [[nodiscard]] LaneBins lanes() const;
+  /// The bin of a site, along each axis.
+  [[nodiscard]] std::array<int, 3> binOf(const Point3& site) const;
+  [[nodiscard]] std::uint32_t bins() const { return static_cast<std::uint32_t>(begin.size() - 1); }
+};
+
+/// Bins at least one site. They are finite, and `domain` is a valid box.
+SiteBins binSites(std::span<const Point3> sites, const Box3& domain, int threads);
+
+}  // namespace vorpipe::space

@@ -1,0 +1,236 @@
+// Cells in space, from sites to a diagram.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <numbers>
+#include <numeric>
+#include <random>
+#include <string>
+#include <vector>
+
+#include "vorpipe.h"
+
+namespace vorpipe {
+namespace {
+
+constexpr Box3 unit_cube{0, 0, 0, 1, 1, 1};
+
+Diagram3 cellsOf(const Sites3& sites, const Box3& domain = unit_cube, int threads = 1,
+                 Detail3 detail = Detail3::polyhedra) {
+  BackendOptions backend;
+  backend.name = "cpu";
+  backend.threads = threads;
+  auto session = Session::open(backend);
+  EXPECT_TRUE(session.has_value());
+  Cells3Options options;
+  options.domain = domain;
+  options.detail = detail;
+  auto diagram = session->cells(std::span<const Point3>(sites), options);
+  EXPECT_TRUE(diagram.has_value()) << (diagram ? "" : diagram.error().message);
+  if (!diagram) return {};
+  const auto problems = check(sites, options, *diagram, threads);
+  EXPECT_TRUE(problems.has_value());
+  if (problems) {
+    for (const std::string& problem : *problems) ADD_FAILURE() << problem;
+  }
+  const double volume =
+      (domain.xmax - domain.xmin) * (domain.ymax - domain.ymin) * (domain.zmax - domain.zmin);
+  EXPECT_NEAR(volumeSum(*diagram), volume, 1e-12 * volume);
+  return std::move(*diagram);
+}
+
+std::size_t faces(const Diagram3& diagram, std::size_t site) {
+  return diagram.face_offsets[site + 1] - diagram.face_offsets[site];
+}
+
+/// Whether a cell has no wall, and nor has any of its neighbors'.
+std::vector<bool> inside(const Diagram3& diagram) {
+  std::vector<bool> touches(diagram.size()), near(diagram.size());
+  const auto eachNeighbor = [&diagram](std::size_t i, const auto& body) {
+    for (std::uint64_t f = diagram.face_offsets[i]; f < diagram.face_offsets[i + 1]; ++f)
+      body(diagram.neighbors[f]);
+  };
+  for (std::size_t i = 0; i < diagram.size(); ++i) {
+    eachNeighbor(i, [&](std::int64_t n) { touches[i] = touches[i] || isWall(n); });
+  }
+  for (std::size_t i = 0; i < diagram.size(); ++i) {
+    eachNeighbor(
+        i, [&](std::int64_t n) { near[i] = near[i] || isWall(n) || touches[static_cast<std::size_t>(n)]; });
+  }
+  near.flip();
+  return near;
+}
+
+Sites3 noisy(Sites3 sites, double noise, std::uint64_t seed) {
+  std::mt19937_64 random(seed);
+  std::uniform_real_distribution<double> uniform(-noise, noise);
+  for (Point3& p : sites) p = {p.x + uniform(random), p.y + uniform(random), p.z + uniform(random)};
+  return sites;
+}
+
+struct Lattice {
+  const char* name;
+  Pattern3 pattern;
+  std::vector<std::size_t> faces;  ///< of cells inside
+};
+
+class Lattices : public testing::TestWithParam<std::tuple<Lattice, double>> {};
+
+TEST_P(Lattices, HaveTheirCells) {
+  const auto& [lattice, noise] = GetParam();
+  const Sites3 exact = generate(lattice.pattern, 500, 1);
+  const double spacing = std::cbrt(1.0 / static_cast<double>(exact.size()));
+  const Sites3 sites = noisy(exact, noise * spacing, 7);
+  Box3 box = unit_cube;
+  const Diagram3 diagram = cellsOf(sites, box);
+  const auto is_inside = inside(diagram);
+  std::size_t count = 0;
+  for (std::size_t i = 0; i < diagram.size(); ++i) {
+    if (!is_inside[i]) continue;
+    ++count;
+    EXPECT_TRUE(std::ranges::find(lattice.faces, faces(diagram, i)) != lattice.faces.end())
+        << lattice.name << ": cell " << i << " has " << faces(diagram, i) << " faces";
+  }
+  EXPECT_GT(count, 5U);
+  EXPECT_EQ(diagram.flat, 0U);
+}
+
+INSTANTIATE_TEST_SUITE_P(Of, Lattices,
+                         testing::Combine(testing::Values(Lattice{"cubic", Pattern3::cubic, {6}},
+                                                          Lattice{"fcc", Pattern3::fcc, {12}},
+                                                          Lattice{"bcc", Pattern3::bcc, {14}},
+                                                          Lattice{"hcp", Pattern3::hcp, {12}},
+                                                          Lattice{"diamond", Pattern3::diamond, {16}},
+                                                          Lattice{"a15", Pattern3::a15, {12, 14}}),
+                                          testing::Values(0, 1e-15, 1e-12, 1e-9)),
+                         [](const auto& info) {
+                           return std::string(std::get<0>(info.param).name) + "_" +
+                                  std::to_string(info.index);
+                         });
+
+TEST(SpaceCells, OfACubicLatticeAreCubes) {
+  const Sites3 sites = generate(Pattern3::cubic, 1000, 1);
+  const Diagram3 diagram = cellsOf(sites);
+  for (std::size_t i = 0; i < diagram.size(); ++i) {
+    EXPECT_NEAR(diagram.volume[i], 1e-3, 1e-15);
+    EXPECT_NEAR(diagram.surface[i], 6e-2, 1e-13);
+    EXPECT_NEAR(diagram.second_moments[i][0], 1e-5 / 12, 1e-17);
+    EXPECT_EQ(faces(diagram, i), 6U);
+  }
+  EXPECT_EQ(diagram.vertices.size(), 11U * 11 * 11);
+}
+
+TEST(SpaceCells, OfHexagonalPrismsHaveEightFaces) {
+  Sites3 sites;
+  for (int z = 0; z < 6; ++z) {
+    for (int y = 0; y < 8; ++y) {
+      for (int x = 0; x < 8; ++x) sites.push_back({x + 0.5 * (y % 2), y * std::numbers::sqrt3 / 2, z * 0.9});
+    }
+  }
+  const Diagram3 diagram = cellsOf(sites, {-1, -1, -1, 9, 7.5, 5.5});
+  const auto is_inside = inside(diagram);
+  std::size_t count = 0;
+  for (std::size_t i = 0; i < diagram.size(); ++i) {
+    if (!is_inside[i]) continue;
+    ++count;
+    EXPECT_EQ(faces(diagram, i), 8U);
+    EXPECT_NEAR(diagram.volume[i], 0.9 * std::numbers::sqrt3 / 2, 1e-12);
+  }
+  EXPECT_GT(count, 20U);
+}
+
+TEST(SpaceCells, DoNotDependOnTheOrderOfSitesOrOnThreads) {
+  for (const Pattern3 pattern : {Pattern3::random, Pattern3::fcc, Pattern3::clusters}) {
+    const Sites3 sites = generate(pattern, 2000, 3);
+    const Diagram3 one = cellsOf(sites), two = cellsOf(sites, unit_cube, 2);
+    EXPECT_EQ(one.volume, two.volume);
+    EXPECT_EQ(one.neighbors, two.neighbors);
+    EXPECT_EQ(one.face_vertices, two.face_vertices);
+    EXPECT_TRUE(std::ranges::equal(one.vertices, two.vertices));
+    std::vector<std::size_t> order(sites.size());
+    std::iota(order.begin(), order.end(), 0U);
+    std::ranges::shuffle(order, std::mt19937_64(5));
+    Sites3 shuffled;
+    for (const std::size_t i : order) shuffled.push_back(sites[i]);
+    const Diagram3 other = cellsOf(shuffled);
+    for (std::size_t k = 0; k < order.size(); ++k) {
+      const std::size_t i = order[k];
+      std::vector<std::int64_t> mine(
+          one.neighbors.begin() + static_cast<std::ptrdiff_t>(one.face_offsets[i]),
+          one.neighbors.begin() + static_cast<std::ptrdiff_t>(one.face_offsets[i + 1]));
+      std::vector<std::int64_t> theirs;
+      for (std::uint64_t f = other.face_offsets[k]; f < other.face_offsets[k + 1]; ++f) {
+        const std::int64_t n = other.neighbors[f];
+        theirs.push_back(isWall(n) ? n : static_cast<std::int64_t>(order[static_cast<std::size_t>(n)]));
+      }
+      std::ranges::sort(mine);
+      std::ranges::sort(theirs);
+      EXPECT_EQ(mine, theirs);
+    }
+  }
+}
+
+TEST(SpaceCells, OfHardSites) {
+  std::mt19937_64 random(11);
+  std::uniform_real_distribution<double> uniform(0, 1);
+  const auto each = [&](std::size_t count, const auto& place) {
+    Sites3 sites;
+    for (std::size_t i = 0; i < count; ++i) sites.push_back(place());
+    return sites;
+  };
+  const auto u = [&] { return uniform(random); };
+  std::map<std::string, Sites3> kinds;
+  for (std::size_t n = 1; n <= 5; ++n)
+    kinds["few " + std::to_string(n)] = each(n, [&] { return Point3{u(), u(), u()}; });
+  kinds["plane"] = each(200, [&] { return Point3{u(), u(), 0.5}; });
+  kinds["line"] = each(100, [&] { return Point3{u(), 0.25, 0.5}; });
+  kinds["on walls"] = each(150, [&] { return Point3{u() < 0.5 ? 0.0 : 1.0, u(), u() < 0.5 ? 0.0 : u()}; });
+  kinds["outside"] = each(300, [&] { return Point3{3 * u() - 1, 3 * u() - 1, 3 * u() - 1}; });
+  kinds["all outside"] = each(50, [&] { return Point3{1.5 + u(), u(), u()}; });
+  kinds["duplicates"] = each(500, [&] {
+    return Point3{std::floor(4 * u()) / 4, std::floor(4 * u()) / 4, std::floor(4 * u()) / 4};
+  });
+  kinds["decimals"] = each(1000, [&] {
+    return Point3{std::round(u() * 100) / 100, std::round(u() * 100) / 100, std::round(u() * 100) / 100};
+  });
+  kinds["sphere"] = generate(Pattern3::sphere, 150, 2);
+  kinds["sphere"].push_back({0.5, 0.5, 0.5});
+  kinds["near pairs"] = each(200, [&] { return Point3{u(), u(), u()}; });
+  for (std::size_t i = 0; i < 100; ++i) {
+    const Point3 p = kinds["near pairs"][i];
+    const double d = std::pow(10.0, -8 - 6 * u());
+    kinds["near pairs"].push_back({p.x + d * u(), p.y - d * u(), p.z + d * u()});
+  }
+  for (const auto& [name, sites] : kinds) {
+    SCOPED_TRACE(name);
+    cellsOf(sites);
+  }
+  Sites3 far = kinds["decimals"];
+  for (Point3& p : far) p = {p.x + 1e6, p.y - 1e6, p.z + 3e6};
+  SCOPED_TRACE("far from the origin");
+  cellsOf(far, {1e6, -1e6, 3e6, 1e6 + 1, -1e6 + 1, 3e6 + 1});
+}
+
+// Meijering 1953: mean numbers of a Poisson-Voronoi diagram. Cells near walls are left out.
+TEST(SpaceCells, OfWhiteNoiseHaveTheMeansOfTheory) {
+  const Sites3 sites = generate(Pattern3::random, 40000, 9);
+  const Diagram3 diagram = cellsOf(sites, unit_cube, 2);
+  double count = 0, sum = 0, squares = 0;
+  for (std::size_t i = 0; i < diagram.size(); ++i) {
+    const Point3& p = sites[i];
+    const double margin = std::min({p.x, 1 - p.x, p.y, 1 - p.y, p.z, 1 - p.z});
+    if (margin < 0.15) continue;
+    const auto n = static_cast<double>(faces(diagram, i));
+    ++count;
+    sum += n;
+    squares += n * n;
+  }
+  const double mean = sum / count, error = std::sqrt((squares / count - mean * mean) / count);
+  const double theory = 48 * std::numbers::pi * std::numbers::pi / 35 + 2;
+  EXPECT_NEAR(mean, theory, 3 * error);
+}
+
+}  // namespace
+}  // namespace vorpipe

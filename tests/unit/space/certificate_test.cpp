@@ -1,0 +1,441 @@
+// No proposal that lies passes the certificate of cells in space: each is refused, by the condition named
+// here.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <map>
+#include <numbers>
+#include <optional>
+#include <random>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "space/certify.h"
+#include "space/exact_search.h"
+#include "space/predicates.h"
+
+namespace vorpipe::space {
+namespace {
+
+/// Four labels, ascending: the labels of a vertex.
+using Quadruple = std::array<Label, 4>;
+
+/// Whether the labels need an even number of exchanges to be in order, and those.
+std::pair<Quadruple, int> ordered(Quadruple labels) {
+  int sign = 1;
+  for (std::size_t i = 0; i < 4; ++i) {
+    for (std::size_t j = 0; j + 1 < 4 - i; ++j) {
+      if (labels[j] <= labels[j + 1]) continue;
+      std::swap(labels[j], labels[j + 1]);
+      sign = -sign;
+    }
+  }
+  return {labels, sign};
+}
+
+/// A complex as its oriented vertices.
+using Complex = std::map<Quadruple, int>;
+
+void add(Complex& complex, const Quadruple& labels, int sign = 1) {
+  const auto [key, order] = ordered(labels);
+  complex[key] = sign * order;
+}
+
+/// Sites and everything that certifies them.
+struct Case {
+  SiteBins bins;
+  explicit Case(const Sites3& sites, const Box3& box = {0, 0, 0, 1, 1, 1}) : bins(binSites(sites, box, 1)) {}
+  [[nodiscard]] std::size_t size() const { return bins.sites.size(); }
+};
+
+/// The true complex, by exact cells, and the sites without a cell.
+Complex truth(const Case& of, std::vector<std::uint8_t>& exact) {
+  Complex complex;
+  exact.assign(of.size(), 0);
+  for (std::size_t i = 0; i < of.size(); ++i) {
+    const auto site = static_cast<Label>(i);
+    const ExactCell cell = exactCellOf(of.bins, site);
+    exact[i] = cell.empty() ? 1 : 0;
+    for (const auto& v : cell.vertices()) add(complex, {site, v[0], v[1], v[2]});
+  }
+  return complex;
+}
+
+/// Rows of a complex. None if some face has no single ring.
+struct Proposal {
+  Rows rows;
+  RowArena arena;
+  bool whole = true;
+  Proposal(const Complex& complex, std::size_t sites) : rows(sites) {
+    std::map<Label, std::vector<std::array<Label, 3>>> corners;
+    for (const auto& [labels, sign] : complex) {
+      for (std::size_t e = 0; e < 4; ++e) {
+        if (isWallLabel(labels[e])) continue;
+        std::array<Label, 3> others{};
+        std::size_t n = 0;
+        for (std::size_t k = 0; k < 4; ++k) {
+          if (k != e) others[n++] = labels[k];
+        }
+        if ((sign > 0) != (e % 2 == 0)) std::swap(others[0], others[1]);
+        corners[labels[e]].push_back(others);
+      }
+    }
+    for (const auto& [site, of_site] : corners) set(site, of_site);
+  }
+
+  void set(Label site, const std::vector<std::array<Label, 3>>& corners) {
+    std::set<Label> names;
+    for (const auto& corner : corners) names.insert(corner.begin(), corner.end());
+    const std::vector<Label> neighbors(names.begin(), names.end());
+    std::vector<std::array<std::uint32_t, 3>> vertices;
+    for (const auto& corner : corners) {
+      std::array<std::uint32_t, 3> faces{};
+      for (std::size_t k = 0; k < 3; ++k) {
+        faces[k] =
+            static_cast<std::uint32_t>(std::ranges::lower_bound(neighbors, corner[k]) - neighbors.begin());
+      }
+      vertices.push_back(faces);
+    }
+    whole = rows.set(static_cast<std::size_t>(site), neighbors, vertices, arena) && whole;
+  }
+};
+
+/// The conditions that rows break: "C1" to "C5", ascending.
+std::set<std::string> broken(const Case& of, const Rows& rows, const std::vector<std::uint8_t>& exact) {
+  std::set<std::string> conditions;
+  const Places places = of.bins.places();
+  CellCheck check(places, rows);
+  for (std::size_t i = 0; i < of.size(); ++i) {
+    if (rows[i].faces == 0) continue;
+    switch (check.check(static_cast<Label>(i)).broken) {
+      case Broken::nothing:
+        break;
+      case Broken::row:
+      case Broken::rings:
+      case Broken::glue:
+        conditions.insert("C1");
+        break;
+      case Broken::orientation:
+        conditions.insert("C2");
+        break;
+      case Broken::edge:
+        conditions.insert("C3");
+        break;
+    }
+  }
+  if (cellsOfCorner(rows) != 1) conditions.insert("C4");
+  if (forgetsSite(places, rows, exact)) conditions.insert("C5");
+  return conditions;
+}
+std::set<std::string> broken(const Case& of, const Complex& complex, const std::vector<std::uint8_t>& exact) {
+  const Proposal proposal(complex, of.size());
+  if (!proposal.whole) return {"C1"};
+  return broken(of, proposal.rows, exact);
+}
+
+using Conditions = std::set<std::string>;
+
+/// The members of a complex among the subsets of five labels are replaced by the others: the boundary stays.
+/// None if that is no flip.
+std::optional<Complex> flipped(const Complex& complex, const std::array<Label, 5>& five) {
+  std::vector<std::pair<Quadruple, int>> have, rest;
+  for (std::size_t e = 0; e < 5; ++e) {
+    Quadruple labels{};
+    std::size_t n = 0;
+    for (std::size_t k = 0; k < 5; ++k) {
+      if (k != e) labels[n++] = five[k];
+    }
+    const auto [key, order] = ordered(labels);
+    const std::pair<Quadruple, int> side{key, e % 2 == 0 ? order : -order};
+    (complex.contains(key) ? have : rest).push_back(side);
+  }
+  if (have.empty() || rest.empty()) return std::nullopt;
+  const int turn = complex.at(have[0].first) * have[0].second;
+  for (const auto& [key, sign] : have) {
+    if (complex.at(key) * sign != turn) return std::nullopt;
+  }
+  Complex other = complex;
+  for (const auto& side : have) other.erase(side.first);
+  for (const auto& [key, sign] : rest) {
+    if (key[3] >= 0) other[key] = -turn * sign;
+  }
+  return other;
+}
+
+/// The five labels of each two vertices that share three.
+std::vector<std::array<Label, 5>> pairsOf(const Complex& complex) {
+  std::map<std::array<Label, 3>, std::vector<Quadruple>> by_triple;
+  for (const auto& vertex : complex) {
+    const Quadruple& q = vertex.first;
+    for (std::size_t e = 0; e < 4; ++e) {
+      std::array<Label, 3> triple{};
+      std::size_t n = 0;
+      for (std::size_t k = 0; k < 4; ++k) {
+        if (k != e) triple[n++] = q[k];
+      }
+      by_triple[triple].push_back(q);
+    }
+  }
+  std::set<std::array<Label, 5>> fives;
+  for (const auto& [triple, vertices] : by_triple) {
+    if (vertices.size() != 2) continue;
+    std::set<Label> all(vertices[0].begin(), vertices[0].end());
+    all.insert(vertices[1].begin(), vertices[1].end());
+    std::array<Label, 5> five{};
+    std::ranges::copy(all, five.begin());
+    fives.insert(five);
+  }
+  return {fives.begin(), fives.end()};
+}
+
+Complex renamed(const Complex& complex, const std::map<Label, Label>& names) {
+  Complex other;
+  for (const auto& [labels, sign] : complex) {
+    Quadruple to{};
+    for (std::size_t k = 0; k < 4; ++k) {
+      const auto name = names.find(labels[k]);
+      to[k] = name == names.end() ? labels[k] : name->second;
+    }
+    add(other, to, sign);
+  }
+  return other;
+}
+
+Sites3 randomSites(std::mt19937_64& random, std::size_t count) {
+  std::uniform_real_distribution<double> uniform(0, 1);
+  Sites3 sites(count);
+  for (Point3& p : sites) p = {uniform(random), uniform(random), uniform(random)};
+  return sites;
+}
+
+Sites3 lattice() {
+  Sites3 sites;
+  for (int k = 0; k < 18; ++k)
+    sites.push_back({(2 * (k % 3) + 1) / 8.0, (2 * (k / 3 % 3) + 1) / 8.0, (2 * (k / 9) + 1) / 8.0});
+  return sites;
+}
+
+class Lies : public testing::TestWithParam<std::uint64_t> {
+ protected:
+  void SetUp() override {
+    std::mt19937_64 random(GetParam());
+    const Sites3 sites = GetParam() % 4 == 3 ? lattice() : randomSites(random, 8 + random() % 20);
+    of_.emplace(sites);
+    complex_ = truth(*of_, exact_);
+    random_ = random;
+    RecordProperty("seed", std::to_string(GetParam()));
+  }
+  [[nodiscard]] Conditions brokenBy(const Complex& complex) const { return broken(*of_, complex, exact_); }
+
+  std::optional<Case> of_;
+  Complex complex_;
+  std::vector<std::uint8_t> exact_;
+  std::mt19937_64 random_;
+};
+
+INSTANTIATE_TEST_SUITE_P(Seeds, Lies, testing::Range<std::uint64_t>(0, 16));
+
+TEST_P(Lies, TheTruthPasses) { EXPECT_EQ(brokenBy(complex_), Conditions{}); }
+
+TEST_P(Lies, FlipsInAllCellsAreRefused) {
+  int flips = 0;
+  for (const auto& five : pairsOf(complex_)) {
+    const auto other = flipped(complex_, five);
+    if (!other) continue;
+    ++flips;
+    const Conditions conditions = brokenBy(*other);
+    EXPECT_FALSE(conditions.empty()) << five[0] << ' ' << five[1] << ' ' << five[2] << ' ' << five[3] << ' '
+                                     << five[4];
+  }
+  EXPECT_GT(flips, 20);
+}
+
+TEST_P(Lies, SequencesOfFlipsAreRefused) {
+  for (int repeat = 0; repeat < 6; ++repeat) {
+    Complex other = complex_;
+    for (std::uint64_t left = 2 + random_() % 7, tries = 0; left > 0 && tries < 100; ++tries) {
+      const auto fives = pairsOf(other);
+      const auto next = flipped(other, fives[random_() % fives.size()]);
+      // Those that leave orientations right are the hard ones.
+      if (!next || (brokenBy(*next).contains("C2") && random_() % 8 != 0)) continue;
+      other = *next;
+      --left;
+    }
+    if (other != complex_) {
+      EXPECT_NE(brokenBy(other), Conditions{});
+    }
+  }
+}
+
+TEST_P(Lies, LabelsExchangedEverywhereAreRefused) {
+  for (int repeat = 0; repeat < 5; ++repeat) {
+    const auto a = static_cast<Label>(random_() % of_->size()),
+               b = static_cast<Label>(random_() % of_->size());
+    if (a == b) continue;
+    EXPECT_NE(brokenBy(renamed(complex_, {{a, b}, {b, a}})), Conditions{}) << a << ' ' << b;
+  }
+  EXPECT_TRUE(brokenBy(renamed(complex_, {{-1, -2}, {-2, -1}})).contains("C2"));
+}
+
+TEST_P(Lies, AMirrorImageIsRefusedByOrientation) {
+  Complex other = complex_;
+  for (auto& vertex : other) vertex.second = -vertex.second;
+  EXPECT_TRUE(brokenBy(other).contains("C2"));
+}
+
+TEST_P(Lies, ASiteLeftOutEverywhereIsForgotten) {
+  const std::size_t left_out = random_() % of_->size();
+  Sites3 sites;
+  std::map<Point3, Label> name;
+  for (std::size_t i = 0; i < of_->size(); ++i) {
+    name[of_->bins.sites[i]] = static_cast<Label>(i);
+    if (i != left_out) sites.push_back({of_->bins.sites[i].x, of_->bins.sites[i].y, of_->bins.sites[i].z});
+  }
+  const Case fewer(sites);
+  std::vector<std::uint8_t> exact;
+  std::map<Label, Label> names;
+  for (std::size_t i = 0; i < fewer.size(); ++i) names[static_cast<Label>(i)] = name.at(fewer.bins.sites[i]);
+  EXPECT_EQ(brokenBy(renamed(truth(fewer, exact), names)), Conditions{"C5"});
+}
+
+TEST_P(Lies, TwoSheetsAreRefusedByTheCorner) {
+  Complex both;
+  std::map<Point3, Label> name;
+  std::array<Sites3, 2> halves;
+  for (std::size_t i = 0; i < of_->size(); ++i) {
+    name[of_->bins.sites[i]] = static_cast<Label>(i);
+    halves[i % 2].push_back(of_->bins.sites[i]);
+  }
+  for (const Sites3& half : halves) {
+    const Case sheet(half);
+    std::vector<std::uint8_t> exact;
+    std::map<Label, Label> names;
+    for (std::size_t i = 0; i < sheet.size(); ++i)
+      names[static_cast<Label>(i)] = name.at(sheet.bins.sites[i]);
+    both.merge(renamed(truth(sheet, exact), names));
+  }
+  EXPECT_EQ(brokenBy(both), Conditions{"C4"});
+}
+
+TEST_P(Lies, RowsThatDisagreeAreRefused) {
+  for (int repeat = 0; repeat < 4; ++repeat) {
+    // One vertex is another in one of its cells; a row is gone, but not for its neighbors.
+    Proposal proposal(complex_, of_->size());
+    ASSERT_TRUE(proposal.whole);
+    const std::size_t site = random_() % of_->size();
+    proposal.rows.clear(site);
+    EXPECT_TRUE(broken(*of_, proposal.rows, exact_).contains("C1"));
+    // Two thirds are exchanged in the cell of one site alone.
+    std::vector<std::array<Label, 3>> corners;
+    const ExactCell cell = exactCellOf(of_->bins, static_cast<Label>(site));
+    corners.assign(cell.vertices().begin(), cell.vertices().end());
+    const Label a = corners[0][0], b = corners[1 + random_() % (corners.size() - 1)][1];
+    if (a == b) continue;
+    for (auto& corner : corners) {
+      for (Label& label : corner) label = label == a ? b : label == b ? a : label;
+    }
+    Proposal exchanged(complex_, of_->size());
+    exchanged.set(static_cast<Label>(site), corners);
+    if (exchanged.whole) {
+      EXPECT_TRUE(broken(*of_, exchanged.rows, exact_).contains("C1"));
+    }
+  }
+}
+
+// Each condition is needed: some lie is refused by it alone. (C1, C4 and C5 alone refuse lies above and
+// below.)
+TEST(Certificate, FlipsNeedOrientationAndRegularity) {
+  std::set<Conditions> alone;
+  for (std::uint64_t seed = 0; seed < 40 && alone.size() < 2; ++seed) {
+    std::mt19937_64 random(seed);
+    const Case of(randomSites(random, 20));
+    std::vector<std::uint8_t> exact;
+    const Complex complex = truth(of, exact);
+    for (const auto& five : pairsOf(complex)) {
+      const auto other = flipped(complex, five);
+      if (!other) continue;
+      const Conditions conditions = broken(of, *other, exact);
+      if (conditions == Conditions{"C2"} || conditions == Conditions{"C3"}) alone.insert(conditions);
+    }
+  }
+  EXPECT_EQ(alone.size(), 2U);
+}
+
+// A connected cover of the box, twice: two sites on an axis, and five at steps of 144 degrees around it. The
+// cells of the axis are prisms over a pentagram: closed, oriented, regular everywhere.
+TEST(Certificate, OnlyTheCornerRefusesAStar) {
+  constexpr double size = 1.0 / 8;
+  Sites3 sites{{0, 0, -size / 20}, {0, 0, size / 20}};
+  for (int k = 0; k < 5; ++k) {
+    const double angle = 144 * k * std::numbers::pi / 180;
+    sites.push_back({size * std::cos(angle), size * std::sin(angle), 0});
+  }
+  const double h = 3 * size;
+  const Case of(sites, {-h, -h, -h, h, h, h});
+  std::map<Point3, Label> name;
+  for (std::size_t i = 0; i < of.size(); ++i) name[of.bins.sites[i]] = static_cast<Label>(i);
+  const Places places = of.bins.places();
+  Complex complex;
+  const auto put = [&](Quadruple labels) {
+    for (Label& label : labels) {
+      if (label >= 0) {
+        const Point3& p = sites[static_cast<std::size_t>(label)];
+        label = name.at({p.x * of.bins.scale, p.y * of.bins.scale, p.z * of.bins.scale});
+      }
+    }
+    const int turn = orientation(places, labels[0], labels[1], labels[2], labels[3]);
+    ASSERT_NE(turn, 0);
+    add(complex, labels, turn);
+  };
+  constexpr Label x0 = -1, x1 = -2, y0 = -3, y1 = -4, z0 = -5, z1 = -6;
+  const std::array<Label, 5> wall{y1, x0, x1, x0, y0};
+  const std::array<std::vector<std::array<Label, 2>>, 5> corners{
+      {{{y0, x1}, {x1, y1}}, {{y1, x0}}, {{x0, y0}, {y0, x1}}, {{x1, y1}, {y1, x0}}, {{x0, y0}}}};
+  for (std::size_t k = 0; k < 5; ++k) {
+    const auto s = static_cast<Label>(2 + k), t = static_cast<Label>(2 + (k + 1) % 5);
+    put({0, 1, s, t});
+    put({0, s, t, z0});
+    put({1, s, t, z1});
+    put({s, t, z0, wall[k]});
+    put({s, t, z1, wall[k]});
+    for (const auto& corner : corners[k]) {
+      put({s, corner[0], corner[1], z0});
+      put({s, corner[0], corner[1], z1});
+    }
+  }
+  EXPECT_EQ(complex.size(), 41U);
+  EXPECT_EQ(broken(of, complex, std::vector<std::uint8_t>(of.size(), 0)), Conditions{"C4"});
+}
+
+TEST(Certificate, AMirroredCellOfOneSiteIsRefused) {
+  const Case of({{0.3, 0.4, 0.6}});
+  std::vector<std::uint8_t> exact;
+  Complex complex = truth(of, exact);
+  EXPECT_EQ(broken(of, complex, exact), Conditions{});
+  for (auto& vertex : complex) vertex.second = -vertex.second;
+  EXPECT_EQ(broken(of, complex, exact), Conditions{"C2"});
+}
+
+// Edges that the distances of sites would prove (corrections of 1.8): the error grows with the radius.
+TEST(Certificate, NearSitesHaveNoEdgeOfTheWrongSign) {
+  const Sites3 five{{0.750813438963927, 0.6426689233250775, 0.5964801970410043},
+                    {0.7508134390051346, 0.6426689233211534, 0.5964801969499739},
+                    {0.5822093319589013, 0.7140066664813968, 0.6601020482958477},
+                    {0.6387159488226736, 0.6885049167784874, 0.6731076463546524},
+                    {0.6077779060509136, 0.4492690757518062, 0.5354922850339192}};
+  const Case of(five);
+  std::vector<std::uint8_t> exact;
+  const Complex complex = truth(of, exact);
+  EXPECT_EQ(broken(of, complex, exact), Conditions{});
+  for (const auto& labels : pairsOf(complex)) {
+    if (const auto other = flipped(complex, labels)) {
+      EXPECT_NE(broken(of, *other, exact), Conditions{});
+    }
+  }
+}
+
+}  // namespace
+}  // namespace vorpipe::space
