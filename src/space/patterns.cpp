@@ -133,10 +133,9 @@ void fillHcp(std::uint64_t n, const Sides& sides, Sites3& sites) {
   // A site has the volume d^3 / sqrt(2).
   const double columns = std::clamp(std::round(std::cbrt(most / std::sqrt(2.0)) * sides[0]), 1.0, most);
   const double spacing = sides[0] / columns;
-  const double rows_per_side = sides[1] / spacing / row_ratio,
-               layers_per_side = sides[2] / spacing / layer_ratio;
-  const double rows = std::max(1.0, std::floor(rows_per_side)),
-               layers = std::max(1.0, std::floor(layers_per_side));
+  const double rows_per_side = std::max(1.0, sides[1] / spacing / row_ratio),
+               layers_per_side = std::max(1.0, sides[2] / spacing / layer_ratio);
+  const double rows = std::floor(rows_per_side), layers = std::floor(layers_per_side);
   for (double layer = 0; layer < layers; ++layer) {
     const bool second = std::fmod(layer, 2.0) != 0;
     const double z = 0.5 + (2 * layer - (layers - 1)) / (2 * layers_per_side);
