@@ -105,7 +105,7 @@ INSTANTIATE_TEST_SUITE_P(Of, Lattices,
                                                           Lattice{"diamond", Pattern3::diamond, {16}},
                                                           Lattice{"a15", Pattern3::a15, {12, 14}}),
                                           testing::Values(0, 1e-15, 1e-12, 1e-9)),
-                         [](const auto& info) {
+                         [](const auto& of) {
                            return std::string(std::get<0>(info.param).name) + "_" +
                                   std::to_string(info.index);
                          });
