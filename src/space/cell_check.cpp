@@ -14,8 +14,8 @@ namespace {
 
 /// Faces of a cell with fewer than 128 vertices.
 constexpr std::size_t most_small = 64;
-constexpr std::size_t lanes = 8;
-constexpr std::int32_t none = -1;
+constexpr std::size_t vector_size = 8;
+constexpr std::int32_t no_vertex = -1;
 
 /// By two faces of a cell of any size: the vertex where the second follows the first.
 class LargeIndex {
@@ -24,7 +24,7 @@ class LargeIndex {
   /// Whether face b was seen on the ring of face a before. Rings come one after another.
   bool again(std::size_t a, std::size_t b) { return std::exchange(seen_[b], a + 1) == a + 1; }
   std::int32_t& at(std::size_t a, std::size_t b) {
-    return map_.try_emplace(std::uint64_t{a} << 32 | b, none).first->second;
+    return map_.try_emplace(std::uint64_t{a} << 32 | b, no_vertex).first->second;
   }
 
  private:
@@ -35,7 +35,7 @@ class LargeIndex {
 /// The same for few faces.
 class SmallIndex {
  public:
-  explicit SmallIndex(std::size_t faces) : faces_(faces) { std::memset(table_, none, faces * faces); }
+  explicit SmallIndex(std::size_t faces) : faces_(faces) { std::memset(table_, no_vertex, faces * faces); }
   bool again(std::size_t a, std::size_t b) {
     return std::exchange(seen_[b], static_cast<std::uint8_t>(a + 1)) == a + 1;
   }
@@ -58,7 +58,7 @@ CellCheck::CellCheck(const Places& places, const Rows& rows)
 
 void CellCheck::reserve(std::size_t faces, std::size_t edge_ends) {
   const std::size_t vertices = edge_ends / 3, edges = edge_ends / 2;
-  if (faces + lanes > face_room_) {
+  if (faces + vector_size > face_room_) {
     face_room_ = 2 * faces + 64;
     by_face_.assign(6 * face_room_, 0);
     nx_ = by_face_.data();
@@ -73,7 +73,7 @@ void CellCheck::reserve(std::size_t faces, std::size_t edge_ends) {
     job_.distance = distance_;
     job_.twice_area = distance_ + face_room_;
   }
-  if (vertices + lanes > vertex_room_) {
+  if (vertices + vector_size > vertex_room_) {
     vertex_room_ = 2 * vertices + 128;
     by_vertex_.assign(4 * vertex_room_, 0);
     job_.x = by_vertex_.data();
@@ -85,7 +85,7 @@ void CellCheck::reserve(std::size_t faces, std::size_t edge_ends) {
     turned_.assign(vertex_room_, 0);
     job_.turned = turned_.data();
   }
-  if (edges + lanes > edge_room_) {
+  if (edges + vector_size > edge_room_) {
     edge_room_ = 2 * edges + 192;
     edges_.assign(4 * edge_room_, 0);
     job_.a = edges_.data();
@@ -153,10 +153,10 @@ bool CellCheck::takeRingsOf(Index& vertex_of, const Begin* begin, const Entry* r
       const std::size_t b = rings[k], c = rings[k + 1 == ring_end ? begin[a] : k + 1];
       if (b >= faces || c >= faces || a == b || b == c || c == a || vertex_of.again(a, b)) return false;
       const Vertex here = vertex_of.at(a, b);
-      if (here == none) {
+      if (here == no_vertex) {
         if (3 * vertices == row_.edge_ends) return false;
         Vertex &on_b = vertex_of.at(b, c), &on_c = vertex_of.at(c, a);
-        if (on_b != none || on_c != none) return false;
+        if (on_b != no_vertex || on_c != no_vertex) return false;
         first[vertices] = static_cast<std::int32_t>(a);
         second[vertices] = static_cast<std::int32_t>(b);
         third[vertices] = static_cast<std::int32_t>(c);
@@ -185,7 +185,7 @@ bool CellCheck::takeRingsOf(Index& vertex_of, const Begin* begin, const Entry* r
   job_.vertices = vertices;
   job_.edges = edges;
   // What lies behind the last in a vector of them: any.
-  for (std::size_t k = 0; k < lanes; ++k) {
+  for (std::size_t k = 0; k < vector_size; ++k) {
     first[vertices + k] = first[0];
     second[vertices + k] = second[0];
     third[vertices + k] = third[0];

@@ -15,8 +15,8 @@ struct VertexPlace {
   double x, y, z, error;
 };
 
-/// Computes places of the vertices of cells, one cell after another: in double where that is good to 1e-14 of
-/// their distance from the site, elsewhere by vertexPlace().
+/// Computes places of the vertices of cells, one cell after another: in double where they are well
+/// conditioned, elsewhere by vertexPlace().
 class CellPlaces {
  public:
   explicit CellPlaces(const Places& places) : places_(places) {}

@@ -108,6 +108,7 @@ Result<TieCounts> writeDiagram(const ProvedCells& cells, Detail3 detail, int thr
   const bool polyhedra = detail == Detail3::polyhedra;
   auto contraction = Contraction::of(cells.places, cells.rows, cells.tied, polyhedra, threads);
   if (!contraction) return tl::unexpected(std::move(contraction).error());
+  if (!polyhedra) contraction->forgetRings();
   RecordWriter(cells, *contraction, detail, threads, diagram).write();
   diagram.flat = contraction->counts().flat;
   if (polyhedra) Polyhedra(cells, *contraction, threads, diagram).write();

@@ -14,9 +14,9 @@
 namespace vorpipe::space {
 namespace {
 
-using Sites = std::vector<std::uint32_t>;
+using SiteList = std::vector<std::uint32_t>;
 
-void sortUnique(Sites& sites) {
+void sortUnique(SiteList& sites) {
   std::ranges::sort(sites);
   sites.erase(std::ranges::unique(sites).begin(), sites.end());
 }
@@ -40,7 +40,7 @@ class Certifier {
     propose();
     if (stopped(0.4)) return tl::unexpected(cancelled);
     recompute();
-    Sites which(bins_.sites.size());
+    SiteList which(bins_.sites.size());
     for (std::uint32_t i = 0; i < which.size(); ++i) which[i] = i;
     bool all = false;
     for (;;) {
@@ -61,7 +61,7 @@ class Certifier {
       }
       which = around(disputed_);
       recompute();
-      const Sites after = around(which);
+      const SiteList after = around(which);
       which.insert(which.end(), after.begin(), after.end());
       sortUnique(which);
     }
@@ -87,7 +87,7 @@ class Certifier {
       found_.arenas.push_back(std::move(arena));
     });
   }
-  void dispute(Sites sites) {
+  void dispute(SiteList sites) {
     const std::scoped_lock lock(mutex_);
     disputed_.insert(disputed_.end(), sites.begin(), sites.end());
   }
@@ -100,7 +100,7 @@ class Certifier {
       struct Taken {
         Rows& rows;
         RowArena& arena;
-        Sites left;
+        SiteList left;
       } taken{found_.rows, arena, {}};
       lanes_function(
           lanes, static_cast<std::uint32_t>(begin), static_cast<std::uint32_t>(end),
@@ -154,11 +154,11 @@ class Certifier {
   }
 
   /// Checks cells, keeps their measures, and disputes those that are not proved.
-  void check(const Sites& which) {
+  void check(const SiteList& which) {
     const std::size_t grain = std::clamp<std::size_t>(which.size() / 16, 1, 4096);
     parallelFor(which.size(), grain, threads_, [&](std::size_t begin, std::size_t end) {
       CellCheck cell_check(places_, found_.rows);
-      Sites disputed;
+      SiteList disputed;
       for (std::size_t k = begin; k < end; ++k) {
         const std::uint32_t site = which[k];
         if (found_.rows[site].faces == 0) {
@@ -186,8 +186,8 @@ class Certifier {
   }
 
   /// The sites, and the neighbors of their cells.
-  [[nodiscard]] Sites around(const Sites& sites) const {
-    Sites all = sites;
+  [[nodiscard]] SiteList around(const SiteList& sites) const {
+    SiteList all = sites;
     for (const std::uint32_t site : sites) {
       for (const Label label : found_.rows[site].neighbors()) {
         if (!isWallLabel(label)) all.push_back(static_cast<std::uint32_t>(label));
@@ -202,7 +202,7 @@ class Certifier {
   int threads_;
   CertifiedRows found_;
   std::vector<std::uint8_t> tied_, careful_, exact_;  ///< by site
-  Sites disputed_;
+  SiteList disputed_;
   std::mutex mutex_;
 };
 

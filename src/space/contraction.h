@@ -52,6 +52,13 @@ class Contraction {
   void ring(std::size_t cell, const Row& row, std::size_t face, std::size_t k,
             std::vector<RingStep>& steps) const;
   [[nodiscard]] const TieCounts& counts() const { return counts_; }
+  /// Frees what ring() and become() need.
+  void forgetRings() {
+    vertices_.forgetEnds();
+    sets_.reset();
+    marks_ = {};
+    dropped_ = {};
+  }
 
  private:
   explicit Contraction(SharedVertices vertices) : vertices_(std::move(vertices)) { startAgain(); }
