@@ -22,7 +22,7 @@ def _session(backend: str, device: Device, threads: Optional[int], points: Given
 
 @taking(CellsOptions, 'periodic', 'density')
 def cells(points: Any, weights: Any = None, domain: Any = None, *, backend: str = 'auto', device: Device = None,
-          threads: Optional[int] = None, **options: Unpack[CellsOptions]) -> Union[Diagram, Diagram3]:
+          threads: Optional[int] = None, **options: Unpack[CellsOptions]) -> Diagram:
     """The cells of points: Voronoi cells (Thiessen polygons), with weights power (Laguerre) cells, in a domain.
 
     Args:

@@ -96,11 +96,12 @@ class Session:
 
     @taking(CellsOptions)
     def cells(self, points: Any, weights: Any = None, domain: Any = None,
-              **options: Unpack[CellsOptions]) -> Union[Diagram, Diagram3]:
+              **options: Unpack[CellsOptions]) -> Diagram:
         """As `vorpipe.cells`."""
         in_space = sites_in_space(points)
         if in_space is not None:
-            return self._checked(cells_in_space(self._session, in_space, weights, domain, options), options['check'])
+            cells: Any = cells_in_space(self._session, in_space, weights, domain, options)
+            return self._checked(cells, options['check'])
         found, taken = taken_of(points, weights, domain, options)
         made = self._session.cells(taken, _arguments.detail_of(options['detail']),
                                    *_arguments.search_of(options['search']),
