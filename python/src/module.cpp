@@ -9,6 +9,7 @@
 #include "input.h"
 #include "results.h"
 #include "session.h"
+#include "space.h"
 #include "vorpipe.h"
 #include "watch.h"
 
@@ -37,8 +38,9 @@ PYBIND11_MODULE(_vorpipe, module) {
   module.attr("__version__") = std::string(vorpipe::version());
   module.attr("LARGEST_SIDE") = vorpipe::largest_side;
   module.attr("NO_SITE") = vorpipe::no_site;
-  module.attr("WALLS") = py::make_tuple(vorpipe::wall_xmin, vorpipe::wall_xmax, vorpipe::wall_ymin,
-                                        vorpipe::wall_ymax, vorpipe::wall_outline);
+  module.attr("WALLS") =
+      py::make_tuple(vorpipe::wall_xmin, vorpipe::wall_xmax, vorpipe::wall_ymin, vorpipe::wall_ymax,
+                     vorpipe::wall_outline, vorpipe::wall_zmin, vorpipe::wall_zmax);
   defineAttributes(module);
   defineTable(module);
   defineInput(module);
@@ -51,6 +53,7 @@ PYBIND11_MODULE(_vorpipe, module) {
   defineRelaxing(module);
   defineTransporting(module);
   defineSession(module);
+  defineSpace(module);
   defineFlowing(module);
   defineJudgment(module);
   defineForecast(module);

@@ -48,6 +48,10 @@ template <>
 struct RowOf<Point> {
   using Number = double;
 };
+template <>
+struct RowOf<Point3> {
+  using Number = double;
+};
 template <class T, std::size_t count>
 struct RowOf<std::array<T, count>> {
   using Number = T;

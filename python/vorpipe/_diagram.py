@@ -48,6 +48,8 @@ class Wall(enum.IntEnum):
     YMIN = -3
     YMAX = -4
     OUTLINE = -5
+    ZMIN = -6  #: in space
+    ZMAX = -7
 
 
 class Diagram(Shown):

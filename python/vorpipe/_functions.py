@@ -9,10 +9,11 @@ from ._diagram import Diagram
 from ._names import renamed
 from ._options import CellsOptions, PictureOptions, RelaxOptions, TransportOptions, taking
 from ._picture import Picture
-from ._points import Given, generated, given, read_points
+from ._points import Given, dimension_of, generated, given, read_points
 from ._relaxed import Relaxed
 from ._sessions import Session, taken_of
 from ._shared import Device, Progress, backend_for, shared
+from ._space import Diagram3, SpaceSites, read_in_space, sites_in_space
 from ._transported import Transported
 
 def _session(backend: str, device: Device, threads: Optional[int], points: Given, pixels: int = 0) -> Session:
@@ -25,7 +26,9 @@ def cells(points: Any, weights: Any = None, domain: Any = None, *, backend: str 
     """The cells of points: Voronoi cells (Thiessen polygons), with weights power (Laguerre) cells, in a domain.
 
     Args:
-        points: array-like of shape (N, 2), N at least 1, finite; a table whose columns have names, as a DataFrame,
+        points: array-like of shape (N, 2), N at least 1, finite. Of shape (N, 3) they are points in space, and the
+            cells are a `Diagram3` in a box (xmin, ymin, zmin, xmax, ymax, zmax): `weights` and what is of planes are
+            not for them; an array of x, y and weight is cells(a[:, :2], a[:, 2]). Or a table whose columns have names, as a DataFrame,
             which are known as those of files are; geometries of points, as a GeoDataFrame or a list of shapely's; or
             `Sites`, which `read` made, or a path for it. All other columns are attributes.
         weights: (N,), in squared units of the points: the cell of point i is where |x - p_i|^2 - w_i is least. A
@@ -76,6 +79,13 @@ def cells(points: Any, weights: Any = None, domain: Any = None, *, backend: str 
     Warns:
         InputWarning: something was reinterpreted or changed: coordinates look like degrees, an outline was mended.
     """
+    in_space = sites_in_space(points)
+    if in_space is not None:
+        if backend not in ('auto', 'cpu') or device is not None:
+            raise _scalars.refuse('device' if device is not None else 'backend',
+                                  'cells in space are found on the processor: name "cpu", or none')
+        on_cpu = Session._around(shared('cpu', None, threads), threads)
+        return on_cpu.cells(SpaceSites(in_space), weights, domain, **options)
     points = given(points)
     return _session(backend, device, threads, points).cells(points, weights, domain, **options)
 
@@ -259,16 +269,23 @@ def compare(a: Diagram, b: Diagram) -> _vorpipe.CellsDiff: ...
 
 
 @overload
+def compare(a: Diagram3, b: Diagram3) -> _vorpipe.SpaceDiff: ...
+
+
+@overload
 def compare(a: Picture, b: Picture) -> _vorpipe.IdDiff: ...
 
 
-def compare(a: Union[Diagram, Picture], b: Union[Diagram, Picture]) -> Union[_vorpipe.CellsDiff, _vorpipe.IdDiff]:
+def compare(a: Union[Diagram, Diagram3, Picture],
+            b: Union[Diagram, Diagram3, Picture]) -> Union[_vorpipe.CellsDiff, _vorpipe.SpaceDiff, _vorpipe.IdDiff]:
     """How two diagrams, or two pictures, of the same points differ; `agree` is True where rounding explains it.
 
-    Of diagrams: the status and owner of each site, its neighbors, and its area. Of pictures: the site of each pixel.
+    Of diagrams: the status and owner of each site, its neighbors, and its area or volume. Of pictures: the site of each pixel.
     """
     if isinstance(a, Diagram) and isinstance(b, Diagram):
         return _vorpipe.diff_cells(a._cells, b._cells)
+    if isinstance(a, Diagram3) and isinstance(b, Diagram3):
+        return _vorpipe.diff_space(a._cells, b._cells)
     if isinstance(a, Picture) and isinstance(b, Picture):
         return _vorpipe.diff_pictures(a._picture, b._picture)
     raise _scalars.refuse('b', f'a {type(b).__name__} cannot be compared with a {type(a).__name__}')
@@ -317,12 +334,18 @@ def forecast(points: Any, weights: Any = None, domain: Any = None, *, density: A
     return Forecast(*_vorpipe.forecast_cells(session, taken, _arguments.detail_of(detail), flag, count))
 
 
-def generate(pattern: str, n: int, seed: int = 1, domain: Optional[Sequence[float]] = None) -> Floats:
+def generate(pattern: str, n: int, seed: int = 1, domain: Optional[Sequence[float]] = None, *,
+             dim: Optional[int] = None) -> Floats:
     """About n points all over the domain, (n, 2): "random", "square", "hex", "jitter", "clusters" or "circle".
 
-    `domain` is (xmin, ymin, xmax, ymax), None for the unit square. The same seed gives the same points on every
-    platform, and those of the command line.
+    In space, (n, 3): "random", "jitter" and "clusters" with `dim=3`, or "sphere", "cubic", "bcc", "fcc", "hcp",
+    "diamond" or "a15". `domain` is (xmin, ymin, xmax, ymax), in space six numbers, None for the unit square or cube.
+    The same seed gives the same points on every platform, and those of the command line.
     """
+    spec = f'{_scalars.text_of("pattern", pattern)}:{_scalars.whole_of("n", n)}'
+    in_space = _vorpipe.is_of_space(spec) or (domain is not None and len(domain) == 6)
+    if dimension_of(dim, 3 if in_space else 2) == 3:
+        return read_in_space(spec, [], '', False, seed, domain).points
     return generated(pattern, n, seed, domain)
 
 

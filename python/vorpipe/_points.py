@@ -3,7 +3,7 @@ from __future__ import annotations
 
 import math
 import os
-from typing import Any, Dict, Iterable, List, Mapping, NamedTuple, Optional, Sequence, Union
+from typing import Any, Dict, Iterable, List, Literal, Mapping, NamedTuple, Optional, Sequence, Union, overload
 
 import numpy.typing as npt
 
@@ -11,6 +11,7 @@ from . import _attributes, _crs, _tables, _vorpipe
 from ._arguments import Floats, PathLike, box_of, points_of
 from ._kept import Kept
 from ._scalars import path_of, refuse, seed_of, text_of, text_or_none, whole_of
+from ._space import SpaceSites, read_in_space
 from ._warnings import warn
 
 
@@ -76,8 +77,20 @@ class Sites(Kept):
         return self._table.notes
 
 
+@overload
 def read(path: PathLike, *, columns: Union[None, str, Sequence[Union[str, int]]] = None, format: Optional[str] = None,
-         missing: Optional[str] = None, layer: Optional[str] = None, seed: int = 1) -> Sites:
+         missing: Optional[str] = None, layer: Optional[str] = None, seed: int = 1, dim: Literal[None, 2] = None
+         ) -> Sites: ...
+
+
+@overload
+def read(path: PathLike, *, columns: Union[None, str, Sequence[Union[str, int]]] = None, format: Optional[str] = None,
+         missing: Optional[str] = None, layer: None = None, seed: int = 1, dim: Literal[3]) -> SpaceSites: ...
+
+
+def read(path: PathLike, *, columns: Union[None, str, Sequence[Union[str, int]]] = None, format: Optional[str] = None,
+         missing: Optional[str] = None, layer: Optional[str] = None, seed: int = 1,
+         dim: Optional[int] = None) -> Union[Sites, SpaceSites]:
     """The points of a file, with their weights, attributes and coordinate reference system.
 
     Args:
@@ -89,6 +102,7 @@ def read(path: PathLike, *, columns: Union[None, str, Sequence[Union[str, int]]]
         missing: "skip" leaves out rows without a place, or with an empty weight; else they are an error.
         layer: of a GeoPackage with several.
         seed: of a generator.
+        dim: 3 for points in space, `SpaceSites`: x, y and z of .csv, .tsv, .npy, .xyz or .txt.
 
     Raises:
         InputError: with the file, line and column of what is wrong.
@@ -96,17 +110,36 @@ def read(path: PathLike, *, columns: Union[None, str, Sequence[Union[str, int]]]
     Warns:
         InputWarning: what was reinterpreted or ignored.
     """
+    if dimension_of(dim, 2) == 3:
+        if layer is not None:
+            raise refuse('layer', 'points in space are read from tables')
+        names, kind = _names_of(columns, missing), (text_or_none('format', format) or '').lstrip('.')
+        in_space = read_in_space(path, names, kind, missing == 'skip', seed)
+        warn(in_space.notes)
+        return in_space
     return Sites(_table_of(path, columns, format, missing, layer, seed, True))
 
 
-def _table_of(path: PathLike, columns: Union[None, str, Sequence[Union[str, int]]], format: Optional[str],
-              missing: Optional[str], layer: Optional[str], seed: int, attributes: bool) -> _vorpipe.Table:
+def dimension_of(dim: Optional[int], usual: int) -> int:
+    if dim not in (None, 2, 3):
+        raise refuse('dim', f'{dim!r} is neither 2 nor 3')
+    if dim == 2 and usual == 3:
+        raise refuse('dim', 'is 3 for a pattern or a domain in space')
+    return dim or usual
+
+
+def _names_of(columns: Union[None, str, Sequence[Union[str, int]]], missing: Optional[str]) -> List[str]:
     if missing not in (None, 'skip'):
         raise refuse('missing', f'{missing!r} is neither None nor "skip"')
     given = [columns] if isinstance(columns, (str, int)) else columns or ()
     if not isinstance(given, Iterable):
         raise refuse('columns', f'{columns!r} is neither a name nor a list of them')
-    names = [text_of('columns', str(column)) for column in given]
+    return [text_of('columns', str(column)) for column in given]
+
+
+def _table_of(path: PathLike, columns: Union[None, str, Sequence[Union[str, int]]], format: Optional[str],
+              missing: Optional[str], layer: Optional[str], seed: int, attributes: bool) -> _vorpipe.Table:
+    names = _names_of(columns, missing)
     kind = (text_or_none('format', format) or '').lstrip('.')
     table = _vorpipe.read_table(path_of(path), seed_of(seed), kind, names, text_or_none('layer', layer) or '',
                                 missing == 'skip', attributes)

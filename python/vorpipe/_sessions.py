@@ -12,10 +12,11 @@ from ._options import CellsOptions, PictureOptions, RelaxOptions, TransportOptio
 from ._picture import Picture
 from ._points import Given, given
 from ._relaxed import Relaxed
+from ._space import Diagram3, cells_in_space, sites_in_space
 from ._transported import Transported
 from ._warnings import warn
 
-_Result = TypeVar('_Result', Diagram, Picture)
+_Result = TypeVar('_Result', Diagram, Diagram3, Picture)
 
 
 def input_of(points: Any, weights: Any, domain: _vorpipe.Domain, periodic: Union[None, bool, str],
@@ -94,8 +95,13 @@ class Session:
         return made
 
     @taking(CellsOptions)
-    def cells(self, points: Any, weights: Any = None, domain: Any = None, **options: Unpack[CellsOptions]) -> Diagram:
+    def cells(self, points: Any, weights: Any = None, domain: Any = None,
+              **options: Unpack[CellsOptions]) -> Diagram:
         """As `vorpipe.cells`."""
+        in_space = sites_in_space(points)
+        if in_space is not None:
+            cells: Any = cells_in_space(self._session, in_space, weights, domain, options)
+            return self._checked(cells, options['check'])
         found, taken = taken_of(points, weights, domain, options)
         made = self._session.cells(taken, _arguments.detail_of(options['detail']),
                                    *_arguments.search_of(options['search']),

@@ -1,4 +1,4 @@
-"""The programs of README.md, docs/python.md and docs/globe.md: each block fenced with ```python runs, in order, in one
+"""The programs of README.md, docs/python.md, docs/globe.md and docs/space.md: each block fenced with ```python runs, in order, in one
 session; a block fenced with ```text right behind one is what it prints, where ... stands for anything. A block that
 imports what is not here is skipped."""
 import contextlib
@@ -11,7 +11,7 @@ import traceback
 import pytest
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
-PAGES = [ROOT / 'README.md', ROOT / 'docs/python.md', ROOT / 'docs/globe.md']
+PAGES = [ROOT / 'README.md', ROOT / 'docs/python.md', ROOT / 'docs/globe.md', ROOT / 'docs/space.md']
 
 
 def blocks(page):

@@ -1,0 +1,339 @@
+"""Cells in space."""
+from __future__ import annotations
+
+import operator
+import os
+from typing import Any, Dict, Iterator, List, Mapping, NamedTuple, Optional, Sequence, Tuple, Union
+
+import numpy as np
+import numpy.typing as npt
+
+from . import _arguments, _attributes, _scalars, _vorpipe
+from ._arguments import Floats, PathLike
+from ._diagram import Integers
+from ._kept import Kept
+
+#: What `cells` takes in a plane alone, and why there is none of it in space.
+_OF_PLANE = {'periodic': 'the domain in space does not repeat itself', 'density': 'it is of a plane',
+             'density_box': 'it is of a plane', 'surface': 'cells in space fill their domain',
+             'globe': 'cells are either on the globe or in space', 'project': 'points in space are not degrees',
+             'crs': 'points in space have no reference system', 'attributes': 'points in space have those of their file',
+             'margin': 'a domain in space is six numbers, or the box of the points',
+             'domain_layer': 'the domain in space is a box', 'repair': 'the domain in space is a box'}
+
+
+class SpaceSites(Kept):
+    """Points in space with all that their file says of them; made by `read(path, dim=3)`, for `cells`."""
+
+    __slots__ = ('_sites', '_attributes')
+    _made_of = ('_sites',)
+
+    def __init__(self, sites: _vorpipe.SpaceSites) -> None:
+        self._sites = sites
+        self._attributes: Optional[Dict[str, npt.NDArray[Any]]] = None
+
+    def __len__(self) -> int:
+        return len(self._sites)
+
+    def __repr__(self) -> str:
+        names = ', '.join(self._sites.attributes.names)
+        return f'<vorpipe.SpaceSites: {len(self)} points of {self._sites.name}{": " if names else ""}{names}>'
+
+    def __array__(self, dtype: Any = None, copy: Optional[bool] = None) -> npt.NDArray[Any]:
+        """The points, for what knows arrays alone."""
+        points = np.array(self.points)
+        return points if dtype is None else points.astype(dtype)
+
+    @property
+    def points(self) -> Floats:
+        """(N, 3): x, y and z."""
+        return self._sites.points
+
+    @property
+    def attributes(self) -> Mapping[str, npt.NDArray[Any]]:
+        """By their names, (N,) each, as those of `Sites`."""
+        if self._attributes is None:
+            self._attributes = _attributes.arrays_of(self._sites.attributes)
+        return self._attributes
+
+    @property
+    def notes(self) -> List[str]:
+        """What was reinterpreted or ignored, a line each; `read` has warned of them."""
+        return self._sites.notes
+
+
+class Face(NamedTuple):
+    """What a cell shares with one neighbor."""
+
+    neighbor: int  #: a point, or a `Wall`
+    area: float
+    vertices: Floats  #: (K, 3), counter-clockwise seen from outside
+
+
+class Polyhedron(NamedTuple):
+    """A cell as a mesh of its own."""
+
+    vertices: Floats  #: (V, 3)
+    faces: List[Integers]  #: indices of vertices, counter-clockwise seen from outside; in the order of the neighbors
+
+
+class NeighborList(NamedTuple):
+    """Which cells share faces: each pair in both directions, in ascending order of the first."""
+
+    points: Integers  #: (P,)
+    neighbors: Integers  #: (P,)
+    areas: Floats  #: (P,)
+
+
+class Rows(Sequence[npt.NDArray[Any]]):
+    """One array for each cell, all of them parts of `flat`: row i is `flat[offsets[i]:offsets[i + 1]]`."""
+
+    __slots__ = ('flat', 'offsets')
+
+    def __init__(self, flat: npt.NDArray[Any], offsets: Integers) -> None:
+        self.flat, self.offsets = flat, offsets
+
+    def __len__(self) -> int:
+        return len(self.offsets) - 1
+
+    def __getitem__(self, cell: Any) -> Any:
+        if isinstance(cell, slice):
+            return [self[k] for k in range(*cell.indices(len(self)))]
+        at = _index_of(cell, len(self))
+        return self.flat[self.offsets[at]:self.offsets[at + 1]]
+
+    def __iter__(self) -> Iterator[npt.NDArray[Any]]:
+        return (self[cell] for cell in range(len(self)))
+
+    def __repr__(self) -> str:
+        return f'<vorpipe.Rows: {len(self)} of {len(self.flat)} values>'
+
+
+def _index_of(cell: Any, count: int) -> int:
+    index = operator.index(cell)
+    if not -count <= index < count:
+        raise IndexError(f'there is no cell {index}: the diagram has {count}')
+    return index % count
+
+
+class Diagram3(Kept):
+    """The cells of N points in space, in their order and units; made by `cells`.
+
+    Arrays are read-only, and show the memory of the diagram without a copy; each keeps it alive. Cell i has the
+    faces `neighbor_offsets[i]` to `neighbor_offsets[i + 1] - 1`, in ascending order of their neighbors; face f has the
+    vertices `face_vertices[face_vertex_offsets[f]:face_vertex_offsets[f + 1]]`, counter-clockwise seen from outside.
+    Both cells of a face have the same vertices in it. It can be pickled.
+    """
+
+    __slots__ = ('_cells', '_attributes')
+    _made_of = ('_cells',)
+
+    def __init__(self, cells: _vorpipe.SpaceCells) -> None:
+        self._cells = cells
+        self._attributes: Optional[Dict[str, npt.NDArray[Any]]] = None
+
+    def __len__(self) -> int:
+        return len(self._cells)
+
+    def __repr__(self) -> str:
+        report = self.report
+        return f'<vorpipe.Diagram3: {report.ok} cells of {len(self)} points in space>'
+
+    def _needs(self, name: str) -> None:
+        if self._cells.measures:
+            raise _scalars.refuse('detail', f"{name} takes detail='all', the cells were computed with 'measures'")
+
+    @property
+    def sites(self) -> Floats:
+        """(N, 3): the points that were given."""
+        return self._cells.sites.points
+
+    @property
+    def domain(self) -> Tuple[float, float, float, float, float, float]:
+        """(xmin, ymin, zmin, xmax, ymax, zmax)."""
+        return self._cells.domain
+
+    @property
+    def attributes(self) -> Mapping[str, npt.NDArray[Any]]:
+        """What came with the points of a file, by name, (N,) each."""
+        if self._attributes is None:
+            self._attributes = _attributes.arrays_of(self._cells.sites.attributes)
+        return self._attributes
+
+    @property
+    def detail(self) -> str:
+        """ "measures" or "all": which arrays there are."""
+        return 'measures' if self._cells.measures else 'all'
+
+    @property
+    def report(self) -> _vorpipe.Report:
+        """Times, and what became of how many points."""
+        return self._cells.report
+
+    # By cell
+
+    @property
+    def status(self) -> npt.NDArray[np.uint8]:
+        """(N,): a `Status` each."""
+        return self._cells.status
+
+    @property
+    def owner(self) -> npt.NDArray[np.int32]:
+        """(N,): the point that owns the cell: itself unless it is a duplicate."""
+        return self._cells.owner
+
+    @property
+    def volumes(self) -> Floats:
+        """(N,): 0 where there is no cell."""
+        return self._cells.volumes
+
+    @property
+    def areas(self) -> Floats:
+        """(N,): of the cells' surfaces."""
+        return self._cells.areas
+
+    @property
+    def centroids(self) -> Floats:
+        """(N, 3): the point itself where there is no cell."""
+        return self._cells.centroids
+
+    @property
+    def second_moments(self) -> Floats:
+        """(N, 6): about the centroid: the integrals of xx, yy, zz, yz, xz and xy."""
+        self._needs('second_moments')
+        return self._cells.second_moments
+
+    @property
+    def neighbors(self) -> Rows:
+        """For each cell its neighbors, ascending: points, or a `Wall`."""
+        return Rows(self._cells.neighbors, self._cells.neighbor_offsets)
+
+    @property
+    def face_areas(self) -> Rows:
+        """For each cell the areas of its faces, in the order of its neighbors."""
+        return Rows(self._cells.face_areas, self._cells.neighbor_offsets)
+
+    @property
+    def neighbor_offsets(self) -> Integers:
+        """(N + 1,): where the faces of each cell begin."""
+        return self._cells.neighbor_offsets
+
+    # Polyhedra
+
+    @property
+    def face_vertex_offsets(self) -> Integers:
+        """(F + 1,): where the vertices of each face begin."""
+        self._needs('face_vertex_offsets')
+        return self._cells.face_vertex_offsets
+
+    @property
+    def face_vertices(self) -> npt.NDArray[np.int32]:
+        """Indices of `vertices`."""
+        self._needs('face_vertices')
+        return self._cells.face_vertices
+
+    @property
+    def vertices(self) -> Floats:
+        """(V, 3): each once, whatever the number of its cells."""
+        self._needs('vertices')
+        return self._cells.vertices
+
+    @property
+    def vertex_sites(self) -> Rows:
+        """For each vertex the points and walls whose cells meet in it."""
+        self._needs('vertex_sites')
+        return Rows(self._cells.vertex_sites, self._cells.vertex_site_offsets)
+
+    def _rings(self, cell: int) -> List[npt.NDArray[np.int32]]:
+        at, offsets = _index_of(cell, len(self)), self._cells.face_vertex_offsets
+        first, last = self._cells.neighbor_offsets[at:at + 2]
+        return [self._cells.face_vertices[offsets[face]:offsets[face + 1]] for face in range(first, last)]
+
+    def faces(self, cell: int) -> List[Face]:
+        """The faces of a cell."""
+        self._needs('faces')
+        rings = self._rings(cell)
+        return [Face(int(neighbor), float(area), self._cells.vertices[ring])
+                for neighbor, area, ring in zip(self.neighbors[cell], self.face_areas[cell], rings)]
+
+    def polyhedron(self, cell: int) -> Polyhedron:
+        """A cell as vertices and faces; without any where there is no cell."""
+        self._needs('polyhedron')
+        rings = self._rings(cell)
+        if not rings:
+            return Polyhedron(np.empty((0, 3)), [])
+        used, where = np.unique(np.concatenate(rings), return_inverse=True)
+        parts = np.split(where.reshape(-1).astype(np.int64), np.cumsum([len(ring) for ring in rings])[:-1])
+        return Polyhedron(self._cells.vertices[used], parts)
+
+    def neighbor_list(self) -> NeighborList:
+        """Which cells share faces, without walls."""
+        own = np.repeat(np.arange(len(self)), np.diff(self.neighbor_offsets))
+        other = self._cells.neighbors
+        chosen = other >= 0
+        return NeighborList(own[chosen], other[chosen], self._cells.face_areas[chosen])
+
+    def volume_sum(self) -> float:
+        """The sum of the volumes, without what adding up would round off: the domain's volume, if all is well."""
+        return self._cells.volume_sum()
+
+    def check(self, threads: Optional[int] = None) -> List[str]:
+        """What is wrong with the cells, a line for each broken promise; verified without what computes them."""
+        return self._cells.check(_arguments.threads_of(threads))
+
+    def save(self, path: PathLike) -> None:
+        """Writes them as .npz, .csv, .vtu, .obj or .ply, as the command line does."""
+        self._cells.save(_scalars.path_of(path))
+
+
+def box_in_space(value: Any) -> Optional[Tuple[float, float, float, float, float, float]]:
+    """(xmin, ymin, zmin, xmax, ymax, zmax)."""
+    if value is None:
+        return None
+    if isinstance(value, str) or hasattr(value, '__geo_interface__'):
+        raise _scalars.refuse('domain', 'in space it is 6 numbers: xmin, ymin, zmin, xmax, ymax, zmax')
+    array = _arguments.numbers('domain', value)
+    if array.shape != (6,):
+        raise _scalars.refuse('domain', f'shape {array.shape}, must be 6 numbers in space: xmin, ymin, zmin, xmax, '
+                                        'ymax, zmax')
+    xmin, ymin, zmin, xmax, ymax, zmax = _arguments.listed(array)
+    return xmin, ymin, zmin, xmax, ymax, zmax
+
+
+def sites_in_space(points: Any) -> Optional[_vorpipe.SpaceSites]:
+    """Of an array of shape (N, 3), or what `read(path, dim=3)` made; None of anything else."""
+    if isinstance(points, SpaceSites):
+        return points._sites
+    if isinstance(points, (str, os.PathLike, Mapping, Kept)) or hasattr(points, 'columns') or hasattr(
+            points, '__geo_interface__'):
+        return None
+    if not isinstance(points, np.ndarray):
+        first = points[0] if isinstance(points, (list, tuple)) and points else points
+        if not hasattr(points, '__array__') and not (isinstance(first, (list, tuple, np.ndarray)) and len(first) == 3):
+            return None
+    shape = np.shape(points)
+    if len(shape) != 2 or shape[1] != 3:
+        return None
+    return _vorpipe.space_sites(np.ascontiguousarray(_arguments.numbers('points', points)))
+
+
+def cells_in_space(session: _vorpipe.Session, sites: _vorpipe.SpaceSites, weights: Any, domain: Any,
+                   options: Mapping[str, Any]) -> Diagram3:
+    """As `cells` has it of points in space."""
+    if weights is not None:
+        raise _scalars.refuse('weights', 'cells in space have no weights; of x, y and weight the points are a[:, :2] '
+                                         'and the weights a[:, 2]')
+    for name, why in _OF_PLANE.items():
+        if options[name] not in (None, False, 'none'):
+            raise _scalars.refuse(name, why)
+    if options['search'] != 'grid':
+        raise _scalars.refuse('search', 'cells in space are found on the grid alone')
+    detail = _arguments.detail_of(options['detail'])
+    return Diagram3(_vorpipe.cells_in_space(session, sites, box_in_space(domain), detail == 'measures',
+                                            _scalars.call_of('progress', options['progress'])))
+
+
+def read_in_space(path: PathLike, columns: List[str], format: str, skip_missing: bool, seed: int,
+                  box: Any = None) -> SpaceSites:
+    return SpaceSites(_vorpipe.read_space(_scalars.path_of(path), _scalars.seed_of(seed), format, columns, skip_missing,
+                                          box_in_space(box)))
