@@ -163,7 +163,7 @@ Point3 decimal(Random& random, const Point3&, int digits) {
   return {x, y, at()};
 }
 
-Point3 onSphere(Random& random, const Point3& about, int digits) {
+Point3 tupleOnSphere(Random& random, const Point3& about, int digits) {
   const double x = random.normal(), y = random.normal(), z = random.normal();
   const double radius = 0.2 / std::sqrt(x * x + y * y + z * z);
   const auto rounded = [&](double at) {
@@ -174,7 +174,7 @@ Point3 onSphere(Random& random, const Point3& about, int digits) {
 }
 
 /// Coordinates near 0 have more digits than integers of fixed width hold.
-Point3 onSphereAboutZero(Random& random, const Point3&, int) { return onSphere(random, {0, 0, 0}, 30); }
+Point3 onSphereAboutZero(Random& random, const Point3&, int) { return tupleOnSphere(random, {0, 0, 0}, 30); }
 
 Point3 inPlane(Random& random, const Point3& about, int) {
   const double x = random.uniform(), y = random.uniform();
@@ -209,7 +209,7 @@ bool isIn(const std::vector<Point3>& sites, const Point3& p) {
 
 /// Determinants of three differences, or of four and their squares, are about as small as numbers are.
 Point3 tiny(Random& random, const Point3& about, int digits) {
-  const Point3 p = onSphere(random, about, 2);
+  const Point3 p = tupleOnSphere(random, about, 2);
   const auto scaled = [&](double at) { return std::ldexp(at, (digits % 2 == 0 ? -200 : -340) - digits); };
   return {scaled(p.x), scaled(p.y), scaled(p.z)};
 }
@@ -297,7 +297,7 @@ INSTANTIATE_TEST_SUITE_P(Of, Predicates,
                          testing::Values(Kind{"Anywhere", anywhere, 20000}, Kind{"Snapped", snapped, 20000},
                                          Kind{"Lattice", latticePoint, 15000},
                                          Kind{"BoxCorner", boxCorner, 10000}, Kind{"Decimal", decimal, 10000},
-                                         Kind{"OnSphere", onSphere, 20000},
+                                         Kind{"OnSphere", tupleOnSphere, 20000},
                                          Kind{"OnSphereAboutZero", onSphereAboutZero, 5000},
                                          Kind{"InPlane", inPlane, 5000}, Kind{"Pairs", pairs, 5000},
                                          Kind{"FarAway", farAway, 5000}, Kind{"OfAnySize", ofAnySize, 1000},
@@ -314,7 +314,7 @@ TEST(SpacePredicates, ATranslationByAQuantumChangesNothing) {
   Random random(3);
   int ties = 0;
   for (int trial = 0; trial < 20000; ++trial) {
-    Tuple tuple = tupleOf(trial % 2 == 0 ? latticePoint : onSphere, random);
+    Tuple tuple = tupleOf(trial % 2 == 0 ? latticePoint : tupleOnSphere, random);
     const auto round = [](double& number) { number = std::round(number * 0x1p20) * 0x1p-20; };
     for (auto& p : tuple.site) (round(p.x), round(p.y), round(p.z));
     auto& b = tuple.box;
