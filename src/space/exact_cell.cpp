@@ -50,7 +50,7 @@ bool ExactCell::cut(Label by) {
   }
   findRim();
   replaceRemoved(by);
-  if (label_.size() > vertices_of_large && !blocks_) blocks_.emplace(spot_);
+  if (label_.size() > vertices_of_large && (!blocks_ || blocks_->isWorn())) blocks_.emplace(spot_);
   return true;
 }
 

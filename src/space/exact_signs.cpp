@@ -74,7 +74,7 @@ struct ExactTuple {
 };
 
 template <class Integers>
-struct Row {
+struct WholeRow {
   typename Integers::Coordinate x{}, y{}, z{};
   typename Integers::Pair lift{};
 
@@ -96,7 +96,7 @@ struct Row {
 };
 
 template <class Integers>
-typename Integers::Pair minorOf(const Row<Integers>& a, const Row<Integers>& b) {
+typename Integers::Pair minorOf(const WholeRow<Integers>& a, const WholeRow<Integers>& b) {
   using Pair = typename Integers::Pair;
   return Pair(a.x) * b.y - Pair(a.y) * b.x;
 }
@@ -105,8 +105,9 @@ typename Integers::Pair minorOf(const Row<Integers>& a, const Row<Integers>& b) 
 /// would write long integers to memory in other parts than it reads them in, for which processors wait: three
 /// times as slow.
 template <class Integers, class Pair>
-[[gnu::always_inline]] inline auto determinant(const Row<Integers>& a, const Pair& bc, const Row<Integers>& b,
-                                               const Pair& ac, const Row<Integers>& c, const Pair& ab) {
+[[gnu::always_inline]] inline auto determinant(const WholeRow<Integers>& a, const Pair& bc,
+                                               const WholeRow<Integers>& b, const Pair& ac,
+                                               const WholeRow<Integers>& c, const Pair& ab) {
   return Integers::times(bc, a.z) - Integers::times(ac, b.z) + Integers::times(ab, c.z);
 }
 
@@ -163,13 +164,13 @@ class Units {
 
 template <class Integers, std::size_t size, class Numbers, class Use>
 int withRows(const ExactTuple<size>& tuple, const Numbers& number, const Use& use) {
-  std::array<Row<Integers>, size> row;
+  std::array<WholeRow<Integers>, size> row;
   for (std::size_t k = 0; k < size; ++k) row[k].set(tuple.label[k], number[k]);
   return use(row);
 }
 
 /// number / 2^least.
-AnyInteger scaled(double number, int least) {
+AnyInteger multipleOf(double number, int least) {
   if (number == 0) return 0;
   int exponent = 0;
   const auto digits = static_cast<std::int64_t>(std::ldexp(std::frexp(number, &exponent), 53));
@@ -197,7 +198,7 @@ int withAnyIntegers(const ExactTuple<size>& tuple, int least, const Use& use) {
   std::array<std::array<AnyInteger, 3>, size> number;
   for (std::size_t k = 0; k < size; ++k) {
     for (std::size_t c = 0; c < 3; ++c) {
-      number[k][c] = scaled(tuple.number[k][c].high, least) + scaled(tuple.number[k][c].low, least);
+      number[k][c] = multipleOf(tuple.number[k][c].high, least) + multipleOf(tuple.number[k][c].low, least);
     }
   }
   return withRows<AnyIntegers>(tuple, number, use);
@@ -235,7 +236,7 @@ double quotient(const AnyInteger& a, const AnyInteger& b, int exponent) {
 
 int exactOrientation(const Places& places, Label i, const std::array<Label, 3>& other) {
   return withIntegers(ExactTuple<3>(places, i, other),
-                      []<class Integers>(const std::array<Row<Integers>, 3>& row) {
+                      []<class Integers>(const std::array<WholeRow<Integers>, 3>& row) {
                         const auto& [a, b, c] = row;
                         return signOf(determinant(a, minorOf(b, c), b, minorOf(a, c), c, minorOf(a, b)));
                       });
@@ -244,7 +245,7 @@ int exactOrientation(const Places& places, Label i, const std::array<Label, 3>& 
 /// At the vertex p = (sum of lift_e (d_f x d_g)) / (2 det) of three labels the lift of the fourth less 2 p .
 /// d is the determinant of the four rows (d, lift), over that of the three d.
 int exactSide(const Places& places, Label i, const std::array<Label, 4>& other) {
-  const auto side = [&]<class Integers>(const std::array<Row<Integers>, 4>& row) {
+  const auto side = [&]<class Integers>(const std::array<WholeRow<Integers>, 4>& row) {
     const auto& [a, b, c, d] = row;
     const auto ab = minorOf(a, b), ac = minorOf(a, c), ad = minorOf(a, d);
     const auto bc = minorOf(b, c), bd = minorOf(b, d), cd = minorOf(c, d);
@@ -263,17 +264,17 @@ Point3 exactPlace(const Places& places, Label i, const std::array<Label, 3>& oth
   const ExactTuple<3> tuple(places, i, other);
   const int least = leastBit(tuple);
   Point3 place{};
-  withAnyIntegers(tuple, least, [&](const std::array<Row<AnyIntegers>, 3>& row) {
-    const auto& [a, b, c] = row;
+  withAnyIntegers(tuple, least, [&](const std::array<WholeRow<AnyIntegers>, 3>& row) {
+    const auto &a = row[0], &b = row[1], &c = row[2];  // Clang 14 captures no structured bindings
     const AnyInteger twice = 2 * determinant(a, minorOf(b, c), b, minorOf(a, c), c, minorOf(a, b));
     const auto component = [&](auto first, auto second) {
-      const auto minor = [&](const Row<AnyIntegers>& p, const Row<AnyIntegers>& q) {
+      const auto minor = [&](const WholeRow<AnyIntegers>& p, const WholeRow<AnyIntegers>& q) {
         return AnyInteger(p.*first * q.*second - p.*second * q.*first);
       };
       const AnyInteger sum = a.lift * minor(b, c) + b.lift * minor(c, a) + c.lift * minor(a, b);
       return quotient(sum, twice, least);
     };
-    using Any = Row<AnyIntegers>;
+    using Any = WholeRow<AnyIntegers>;
     place = {component(&Any::y, &Any::z), component(&Any::z, &Any::x), component(&Any::x, &Any::y)};
     return 0;
   });

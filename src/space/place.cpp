@@ -12,11 +12,11 @@ namespace {
 /// Where doubles suffice, and pairs of doubles.
 constexpr double well_conditioned = 1e3, ill_conditioned = 0x1p40;
 
-struct Pairs {
+struct PairRow {
   DoubleDouble x, y, z, lift;
 };
 
-Pairs pairsOf(const Places& places, Label site, Label other) {
+PairRow pairRow(const Places& places, Label site, Label other) {
   const Point3& from = places.sites[site];
   if (isWallLabel(other)) {
     const Relative wall = relative(places, site, other);
@@ -35,8 +35,8 @@ Pairs pairsOf(const Places& places, Label site, Label other) {
 /// a quotient one of 16 u^2. As there, in all u^2 k (24 (|A| / m(a) + ...) + 50 |p|); |A| / m(a) <= 2 |p|. So
 /// up to k = 2^40 it is below 2^-58 |p|, and what remains is the last rounding.
 FOR_FUSED_TOO Point3 placeByPairs(const Places& places, Label site, const std::array<Label, 3>& other) {
-  const Pairs a = pairsOf(places, site, other[0]), b = pairsOf(places, site, other[1]),
-              c = pairsOf(places, site, other[2]);
+  const PairRow a = pairRow(places, site, other[0]), b = pairRow(places, site, other[1]),
+                c = pairRow(places, site, other[2]);
   const auto minor = [](const DoubleDouble& px, const DoubleDouble& py, const DoubleDouble& qx,
                         const DoubleDouble& qy) { return px * qy - py * qx; };
   const auto ab_x = minor(a.y, a.z, b.y, b.z), ab_y = minor(a.z, a.x, b.z, b.x),

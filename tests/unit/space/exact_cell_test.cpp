@@ -58,7 +58,7 @@ std::pair<std::array<Label, 4>, bool> whole(Label site, const Triple& t) {
 std::set<Triple> turned(std::span<const Triple> vertices) {
   std::set<Triple> all;
   for (Triple t : vertices) {
-    std::ranges::rotate(t, std::ranges::min_element(t));
+    std::rotate(t.begin(), std::ranges::min_element(t), t.end());
     all.insert(t);
   }
   return all;
@@ -161,8 +161,7 @@ Sites snapped(Sites sites, double scale) {
     p = {std::floor(p.x * scale) / scale, std::floor(p.y * scale) / scale, std::floor(p.z * scale) / scale};
   }
   std::ranges::sort(sites);
-  const auto rest = std::ranges::unique(sites);
-  sites.erase(rest.begin(), rest.end());
+  sites.erase(std::unique(sites.begin(), sites.end()), sites.end());
   return sites;
 }
 
@@ -258,17 +257,23 @@ TEST(ExactCell, OfManyFaces) {
   }
 }
 
-/// All these vertices go at once, with more edges than are compared each to each.
+/// More vertices go at once than come, with more edges than are compared each to each; then new ones come.
 TEST(ExactCell, LosesManyVerticesAtOnce) {
   auto sites = sphere(800, 11);
   sites.push_back({0.5, 0.5, 0.5 + 0x1p-40});
-  const Places places{sites.data(), unit_box};
   const auto last = static_cast<Label>(sites.size() - 1);
+  for (auto p : sphere(400, 12)) {
+    p = {0.5 + 0.99 * (p.x - 0.5), 0.5 + 0.99 * (p.y - 0.5), 0.5 + 0.99 * (p.z - 0.5)};
+    if (p.z < 0.5) sites.push_back(p);
+  }
+  const Places places{sites.data(), unit_box};
   ExactCell cell(places, 0);
   for (Label other = 1; other < last; ++other) cell.cut(other);
   const auto before = cell.vertices().size();
   EXPECT_TRUE(cell.cut(last));
   EXPECT_LT(cell.vertices().size(), before * 3 / 4);
+  expectConvex(places, 0, cell.vertices());
+  for (Label other = last + 1; other < static_cast<Label>(sites.size()); ++other) cell.cut(other);
   expectConvex(places, 0, cell.vertices());
   EXPECT_EQ(turned(cell.vertices()), turned(cellOf(places, sites.size(), 0).vertices()));
 }
@@ -283,22 +288,36 @@ TEST(ExactCell, IsCutBySiteOnce) {
 }
 
 /// No vertex is farther, and one is about as far, also if places in double are wrong by far.
+void expectRadius(const ExactCell& cell, const Places& places, Label site) {
+  double least = 0, most = 0;
+  for (const auto& [a, b, c] : cell.vertices()) {
+    double error = 0;
+    const Point3 p = vertexPlace(places, site, a, b, c, &error);
+    const double distance = std::sqrt(squaredDistance(p, {0, 0, 0}));
+    least = std::max(least, distance * (1 - 1e-15) - error);
+    most = std::max(most, distance + error);
+  }
+  EXPECT_GE(cell.squaredRadius(), least * least);
+  EXPECT_LE(cell.squaredRadius(), most * most * (1 + 1e-5));
+}
+
 TEST(ExactCell, KnowsItsRadius) {
   for (const double noise : {0.0, 1e-15, 1e-10, 1e-5, 1e-1}) {
     auto sites = noisy(lattice(3, 0.25, 0.25), noise);
     for (auto& p : sites) p.z = 0.5 + 1e-3 * p.z;
     const Places places{sites.data(), unit_box};
     for (Label i = 0; i < 27; ++i) {
-      const ExactCell cell = cellOf(places, sites.size(), i);
-      double largest = 0;
-      for (const auto& [a, b, c] : cell.vertices()) {
-        double error = 0;
-        const Point3 p = vertexPlace(places, i, a, b, c, &error);
-        largest = std::max(largest, squaredDistance(p, {0, 0, 0}));
+      ExactCell cell(places, i);
+      for (Label other = 0; other < 27; ++other) {
+        if (other != i && cell.cut(other)) expectRadius(cell, places, i);
       }
-      EXPECT_GE(cell.squaredRadius(), largest * (1 - 1e-10));
-      EXPECT_LE(cell.squaredRadius(), largest * (1 + 1e-5));
     }
+  }
+  const auto sites = sphere(400, 13);
+  const Places places{sites.data(), unit_box};
+  ExactCell cell(places, 0);
+  for (Label other = 1; other <= 400; ++other) {
+    if (cell.cut(other)) expectRadius(cell, places, 0);
   }
 }
 
