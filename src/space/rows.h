@@ -12,8 +12,8 @@
 
 namespace vorpipe::space {
 
-/// A ring: the faces across the edges of a face, as indices into the row, counter-clockwise seen from outside.
-/// Consecutive ones, r[k] and r[k + 1], meet in a vertex of the face.
+/// A ring: the faces across the edges of a face, as indices into the row, counter-clockwise seen from
+/// outside. Consecutive ones, r[k] and r[k + 1], meet in a vertex of the face.
 class Ring {
  public:
   Ring(const std::uint8_t* small, const std::uint32_t* large, std::size_t size)
@@ -32,7 +32,7 @@ class Ring {
 /// The cell of one site. It has none if there are no faces.
 struct Row {
   std::uint32_t faces = 0;
-  std::uint32_t edge_ends = 0;      ///< the sum of all rings' sizes: twice the edges, three times the vertices
+  std::uint32_t edge_ends = 0;  ///< the sum of all rings' sizes: twice the edges, three times the vertices
   const Label* neighbor = nullptr;  ///< by face
   // One of the two forms: where each ring begins, and one more; and the rings.
   const std::uint16_t* small_begin = nullptr;
