@@ -97,18 +97,15 @@ TEST_P(Lattices, HaveTheirCells) {
   EXPECT_EQ(diagram.flat, 0U);
 }
 
-INSTANTIATE_TEST_SUITE_P(Of, Lattices,
-                         testing::Combine(testing::Values(Lattice{"cubic", Pattern3::cubic, {6}},
-                                                          Lattice{"fcc", Pattern3::fcc, {12}},
-                                                          Lattice{"bcc", Pattern3::bcc, {14}},
-                                                          Lattice{"hcp", Pattern3::hcp, {12}},
-                                                          Lattice{"diamond", Pattern3::diamond, {16}},
-                                                          Lattice{"a15", Pattern3::a15, {12, 14}}),
-                                          testing::Values(0, 1e-15, 1e-12, 1e-9)),
-                         [](const auto& info) {
-                           return std::string(std::get<0>(info.param).name) + "_" +
-                                  std::to_string(info.index);
-                         });
+INSTANTIATE_TEST_SUITE_P(
+    Of, Lattices,
+    testing::Combine(testing::Values(Lattice{"cubic", Pattern3::cubic, {6}},
+                                     Lattice{"fcc", Pattern3::fcc, {12}}, Lattice{"bcc", Pattern3::bcc, {14}},
+                                     Lattice{"hcp", Pattern3::hcp, {12}},
+                                     Lattice{"diamond", Pattern3::diamond, {16}},
+                                     Lattice{"a15", Pattern3::a15, {12, 14}}),
+                     testing::Values(0, 1e-15, 1e-12, 1e-9)),
+    [](const auto& of) { return std::string(std::get<0>(of.param).name) + "_" + std::to_string(of.index); });
 
 TEST(SpaceCells, OfACubicLatticeAreCubes) {
   const Sites3 sites = generate(Pattern3::cubic, 1000, 1);

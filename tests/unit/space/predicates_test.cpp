@@ -17,12 +17,12 @@ namespace {
 using test::Random;
 using Integer = boost::multiprecision::mpz_int;
 
-/// Row of a determinant: of a site (x, y, z, |x|^2, 1), of a wall (n, 2 h, 0).
-using Row = std::array<Integer, 5>;
+/// A row of a determinant: of a site (x, y, z, |x|^2, 1), of a wall (n, 2 h, 0).
+using OracleRow = std::array<Integer, 5>;
 
-Integer determinant(const std::vector<Row>& rows, const std::vector<std::size_t>& columns) {
+Integer determinant(const std::vector<OracleRow>& rows, const std::vector<std::size_t>& columns) {
   if (columns.size() == 1) return rows.back()[columns[0]];
-  const Row& row = rows[rows.size() - columns.size()];
+  const OracleRow& row = rows[rows.size() - columns.size()];
   Integer sum = 0;
   for (std::size_t k = 0; k < columns.size(); ++k) {
     if (row[columns[k]] == 0) continue;
@@ -52,28 +52,33 @@ struct Tuple {
 class Oracle {
  public:
   explicit Oracle(const Tuple& tuple) : tuple_(tuple) {
+    int most = -5000;
     for (const double number : numbers()) {
       int exponent = 0;
-      if (std::frexp(number, &exponent) != 0) least_ = std::min(least_, exponent - 53);
+      if (std::frexp(number, &exponent) == 0) continue;
+      least_ = std::min(least_, exponent - 53);
+      most = std::max(most, exponent);
     }
+    bits_ = most - least_;
     for (const Label label : tuple.label) rows_.push_back(row(label));
   }
 
   [[nodiscard]] int orientation() const {
-    const std::vector<Row> four(rows_.begin(), rows_.begin() + 4);
+    const std::vector<OracleRow> four(rows_.begin(), rows_.begin() + 4);
     return -determinant(four, {0, 1, 2, 4}).sign();
   }
 
   [[nodiscard]] bool isTie() const { return determinant(rows_, {0, 1, 2, 3, 4}) == 0; }
 
-  /// Heights that are lowered by 2^-4000, 2^-8000, ... of a unit.
+  /// Heights are lowered by 2^-step, 4^-step, ... of a unit. What these weigh are 3x3 minors of places and
+  /// ones, of less than 2^step.
   [[nodiscard]] bool cuts() const {
     const Integer plain = determinant(rows_, {0, 1, 2, 3, 4});
     if (plain != 0) return plain.sign() * orientation() < 0;
     auto perturbed = rows_;
     std::vector<std::size_t> order{0, 1, 2, 3, 4};
     std::ranges::sort(order, [&](auto a, auto b) { return key(a) < key(b); });
-    constexpr unsigned step = 4000;
+    const auto step = static_cast<unsigned>(3 * bits_ + 8);
     for (std::size_t k = 0; k < 5; ++k) {
       auto& height = perturbed[order[k]][3];
       height = (height << (5 * step)) - (Integer(1) << (step * static_cast<unsigned>(4 - k)));
@@ -96,10 +101,10 @@ class Oracle {
     return whole == 0 ? whole : Integer(whole << static_cast<unsigned>(exponent - 53 - least_));
   }
 
-  [[nodiscard]] Row row(Label label) const {
+  [[nodiscard]] OracleRow row(Label label) const {
     if (isWallLabel(label)) {
       const int wall = wallOf(label), out = isUpper(wall) ? 1 : -1;
-      Row wall_row{0, 0, 0, 2 * out * integer(tuple_.places().offset(wall)), 0};
+      OracleRow wall_row{0, 0, 0, 2 * out * integer(tuple_.places().offset(wall)), 0};
       wall_row[static_cast<std::size_t>(axisOf(wall))] = out;
       return wall_row;
     }
@@ -116,8 +121,8 @@ class Oracle {
   }
 
   Tuple tuple_;
-  int least_ = 5000;
-  std::vector<Row> rows_;
+  int least_ = 5000, bits_ = 0;
+  std::vector<OracleRow> rows_;
 };
 
 /// Five places of one kind, in or about the unit cube.
@@ -136,7 +141,7 @@ Point3 snapped(Random& random, const Point3&, int digits) {
   return {x, y, at()};
 }
 
-Point3 lattice(Random& random, const Point3& about, int digits) {
+Point3 latticePoint(Random& random, const Point3& about, int digits) {
   const double step = digits % 2 == 0 ? 0x1p-5 : 0.03;
   const auto at = [&](double from) {
     return (std::floor(20 * from) + static_cast<double>(random.below(digits < 16 ? 2 : 3))) * step;
@@ -158,7 +163,7 @@ Point3 decimal(Random& random, const Point3&, int digits) {
   return {x, y, at()};
 }
 
-Point3 onSphere(Random& random, const Point3& about, int digits) {
+Point3 tupleOnSphere(Random& random, const Point3& about, int digits) {
   const double x = random.normal(), y = random.normal(), z = random.normal();
   const double radius = 0.2 / std::sqrt(x * x + y * y + z * z);
   const auto rounded = [&](double at) {
@@ -169,7 +174,7 @@ Point3 onSphere(Random& random, const Point3& about, int digits) {
 }
 
 /// Coordinates near 0 have more digits than integers of fixed width hold.
-Point3 onSphereAboutZero(Random& random, const Point3&, int) { return onSphere(random, {0, 0, 0}, 30); }
+Point3 onSphereAboutZero(Random& random, const Point3&, int) { return tupleOnSphere(random, {0, 0, 0}, 30); }
 
 Point3 inPlane(Random& random, const Point3& about, int) {
   const double x = random.uniform(), y = random.uniform();
@@ -204,7 +209,7 @@ bool isIn(const std::vector<Point3>& sites, const Point3& p) {
 
 /// Determinants of three differences, or of four and their squares, are about as small as numbers are.
 Point3 tiny(Random& random, const Point3& about, int digits) {
-  const Point3 p = onSphere(random, about, 2);
+  const Point3 p = tupleOnSphere(random, about, 2);
   const auto scaled = [&](double at) { return std::ldexp(at, (digits % 2 == 0 ? -200 : -340) - digits); };
   return {scaled(p.x), scaled(p.y), scaled(p.z)};
 }
@@ -290,8 +295,9 @@ TEST_P(Predicates, AreExact) {
 
 INSTANTIATE_TEST_SUITE_P(Of, Predicates,
                          testing::Values(Kind{"Anywhere", anywhere, 20000}, Kind{"Snapped", snapped, 20000},
-                                         Kind{"Lattice", lattice, 15000}, Kind{"BoxCorner", boxCorner, 10000},
-                                         Kind{"Decimal", decimal, 10000}, Kind{"OnSphere", onSphere, 20000},
+                                         Kind{"Lattice", latticePoint, 15000},
+                                         Kind{"BoxCorner", boxCorner, 10000}, Kind{"Decimal", decimal, 10000},
+                                         Kind{"OnSphere", tupleOnSphere, 20000},
                                          Kind{"OnSphereAboutZero", onSphereAboutZero, 5000},
                                          Kind{"InPlane", inPlane, 5000}, Kind{"Pairs", pairs, 5000},
                                          Kind{"FarAway", farAway, 5000}, Kind{"OfAnySize", ofAnySize, 1000},
@@ -299,7 +305,7 @@ INSTANTIATE_TEST_SUITE_P(Of, Predicates,
                          [](const auto& kind) { return kind.param.name; });
 
 TEST(SpacePredicates, TiesAreAmongThese) {
-  EXPECT_GT(compare(lattice, 5000, 2).ties, 500);
+  EXPECT_GT(compare(latticePoint, 5000, 2).ties, 500);
   EXPECT_GT(compare(boxCorner, 5000, 2).ties, 1500);
   EXPECT_GT(compare(snapped, 5000, 2).ties, 50);
 }
@@ -308,7 +314,7 @@ TEST(SpacePredicates, ATranslationByAQuantumChangesNothing) {
   Random random(3);
   int ties = 0;
   for (int trial = 0; trial < 20000; ++trial) {
-    Tuple tuple = tupleOf(trial % 2 == 0 ? lattice : onSphere, random);
+    Tuple tuple = tupleOf(trial % 2 == 0 ? latticePoint : tupleOnSphere, random);
     const auto round = [](double& number) { number = std::round(number * 0x1p20) * 0x1p-20; };
     for (auto& p : tuple.site) (round(p.x), round(p.y), round(p.z));
     auto& b = tuple.box;
