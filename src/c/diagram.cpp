@@ -80,6 +80,12 @@ Result<vorpipe_array> sharedArrayOf(const vorpipe_diagram& diagram, vorpipe_diag
 
 vorpipe_code find(vorpipe_session& session, const vorpipe_input& input, const vorpipe_cells_options* given,
                   vorpipe_diagram** diagram) {
+  if (input.z != nullptr) {
+    VORPIPE_TAKE(cells, cellsInSpace(session, input, given));
+    *diagram = new vorpipe_diagram{nullptr, input.attributes, {}, {}, {}, false, {}, {}, {}, {}};
+    (*diagram)->space = std::move(cells);
+    return VORPIPE_DONE;
+  }
   VORPIPE_TAKE(placed, placedInput(input));
   VORPIPE_TAKE(options, cellsOptions(input, *placed, given));
   VORPIPE_TAKE(found, cellsWith(input.surface, session.session, *placed->sites, options));
@@ -219,6 +225,8 @@ vorpipe_code vorpipe_diagram_array(const vorpipe_diagram* diagram, vorpipe_diagr
                                    vorpipe_array* array) {
   VORPIPE_NEEDS(diagram, array);
   return guarded([&] {
+    if (diagram->space) return give(arrayInSpace(*diagram->space, field), array);
+    if (field > VORPIPE_CELL_SOLID_ANGLE) return give(arrayOf(diagram->diagram, field), array);
     if (field == VORPIPE_CELL_SOLID_ANGLE) return give(arrayOf(diagram->diagram, field), array);
     if (field > VORPIPE_BORDER_NEIGHBORS) return give(meshArrayOf(*diagram, field), array);
     if (field > VORPIPE_EDGE_CELLS) return give(borderArrayOf(*diagram, field), array);
@@ -233,15 +241,15 @@ double vorpipe_diagram_area_sum(const vorpipe_diagram* diagram) {
 
 vorpipe_code vorpipe_diagram_report(const vorpipe_diagram* diagram, vorpipe_report* report) {
   VORPIPE_NEEDS(diagram, report);
-  return guarded([&] { return codeOf(give(reportOf(diagram->diagram.report), report, "vorpipe_report")); });
+  return guarded([&] { return codeOf(give(reportOf(diagram->report()), report, "vorpipe_report")); });
 }
 
 const char* vorpipe_diagram_note(const vorpipe_diagram* diagram, size_t index) {
-  return diagram == nullptr ? nullptr : textAt(diagram->diagram.report.notes, index);
+  return diagram == nullptr ? nullptr : textAt(diagram->report().notes, index);
 }
 
 const char* vorpipe_diagram_validation(const vorpipe_diagram* diagram, size_t index) {
-  return diagram == nullptr ? nullptr : textAt(diagram->diagram.report.validation_messages, index);
+  return diagram == nullptr ? nullptr : textAt(diagram->report().validation_messages, index);
 }
 
 vorpipe_code vorpipe_input_set_surface(vorpipe_input* input, vorpipe_surface surface) {

@@ -176,6 +176,7 @@ vorpipe_code setOutline(vorpipe_input& input, Result<OutlineFile> given, std::st
 }  // namespace
 
 Result<std::shared_ptr<const PlacedInput>> placedInput(const vorpipe_input& input) {
+  if (input.z != nullptr) return inputError("z: sites in space have cells alone, by vorpipe_cells");
   if (input.placed != nullptr) return withDensity(input);
   VORPIPE_VAR(placed, input.kept != nullptr ? keptFor(input) : foundFor(input));
   std::vector<std::string> notes = std::exchange(placed.domain.notes, {});

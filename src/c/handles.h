@@ -13,6 +13,7 @@
 
 #include "c/vorpipe_c.h"
 #include "io/base/attribute.h"
+#include "io/base/byte_sink.h"
 #include "io/base/coordinate_system.h"
 #include "io/cells/cells_mesh.h"
 #include "io/sites/site_domain.h"
@@ -66,8 +67,10 @@ struct vorpipe_input {
   vorpipe::Periodic periodic = vorpipe::Periodic::none;
   vorpipe::Surface surface = vorpipe::Surface::none;
   vorpipe::Density density{};
-  std::string density_name{};                  ///< name of its file; empty: the caller's own density
-  vorpipe::CoordinateSystem density_system{};  ///< of its place
+  std::string density_name{};                      ///< name of its file; empty: the caller's own density
+  vorpipe::CoordinateSystem density_system{};      ///< of its place
+  std::shared_ptr<const std::vector<double>> z{};  ///< of sites in space; null: in the plane
+  std::optional<vorpipe::Box3> box3{};             ///< of these
   /// For moved sites: the domain found before, until another one is set.
   std::shared_ptr<const vorpipe::c::PlacedInput> kept;
   mutable std::shared_ptr<const vorpipe::c::PlacedInput> placed;  ///< found when it is first needed
@@ -76,6 +79,18 @@ struct vorpipe_input {
   mutable std::deque<std::string> notes;  ///< its elements never move
 };
 
+namespace vorpipe::c {
+
+/// Cells in space, with what they were made from.
+struct SpaceCells {
+  Sites3 sites;
+  Cells3Options options;  ///< without progress
+  Diagram3 diagram;
+};
+
+}  // namespace vorpipe::c
+
+/// Of the plane, unless it has cells in space.
 struct vorpipe_diagram {
   std::shared_ptr<const vorpipe::c::PlacedInput> input;
   std::shared_ptr<const std::vector<vorpipe::Attribute>> attributes;
@@ -90,6 +105,12 @@ struct vorpipe_diagram {
   mutable std::once_flag mesh_once{};
   mutable std::optional<vorpipe::Result<vorpipe::CellTriangles>> mesh{};  ///< likewise
   mutable std::vector<std::array<float, 2>> mesh_vertices{};              ///< likewise
+  std::optional<vorpipe::c::SpaceCells> space{};
+
+  /// What the run did.
+  [[nodiscard]] const vorpipe::Report& report() const {
+    return space ? space->diagram.report : diagram.report;
+  }
 };
 
 struct vorpipe_locator {
@@ -160,6 +181,19 @@ const CoordinateSystem& systemOf(const PlacedInput& input);
 /// Returns the cells of sites with that surface. With a free surface they have the detail `polygons`, and
 /// `options` is changed to it. Errors: those of Session::cells and freeCells.
 Result<Diagram> cellsWith(Surface surface, Session& session, const Sites& sites, CellsOptions& options);
+
+/// Computes the cells of an input with z.
+Result<SpaceCells> cellsInSpace(vorpipe_session& session, const vorpipe_input& input,
+                                const vorpipe_cells_options* given);
+
+/// Error (input): the cells are in space; `what` is of the plane.
+Result<void> refuseSpace(const vorpipe_diagram& diagram, std::string_view what);
+
+/// Returns the array of a field. Error (input): cells in space have no such field.
+Result<vorpipe_array> arrayInSpace(const SpaceCells& cells, vorpipe_diagram_field field);
+
+/// Writes cells in space in the format of an extension. Errors: those of spaceFormatOf and writeSpaceCells.
+Result<void> writeInSpace(ByteSink& to, const vorpipe_diagram& diagram, const std::string& path);
 
 /// Returns the topology, found once by the first thread that requests it; the diagram keeps it. Errors: those
 /// of topologyOf.

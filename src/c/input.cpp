@@ -136,13 +136,34 @@ Result<Sites> sitesOf(const Given& given) {
   return sites;
 }
 
+using SharedNumbers = std::shared_ptr<const std::vector<double>>;
+
+/// The z of sites in space; null in the plane. Error (input): one is not finite.
+template <class Given>
+Result<SharedNumbers> thirdOf(const Given& given) {
+  if constexpr (requires { given.z; }) {
+    if (given.z == nullptr) return nullptr;
+    auto z = std::make_shared<const std::vector<double>>(copied(given.z, given.count, given.position_stride));
+    for (std::uint64_t k = 0; k < given.count; ++k) {
+      if (std::isfinite((*z)[k])) continue;
+      return tl::unexpected(
+          Error{ErrorCode::input, fmt::format("sites: site {} is not finite", k), false, Subject::sites});
+    }
+    return z;
+  }
+  return nullptr;
+}
+
 template <class Given>
 vorpipe_code createInput(const Given* sites, std::string_view name, vorpipe_input** input) {
   VORPIPE_NEEDS(sites, input);
   return guarded([&] {
     VORPIPE_TAKE(given, taken(sites, name));
     VORPIPE_TAKE(copy, sitesOf(given));
-    return giveInput(inputOf(std::move(copy)), input);
+    VORPIPE_TAKE(z, thirdOf(given));
+    auto made = inputOf(std::move(copy));
+    if (made) made->z = z;
+    return giveInput(std::move(made), input);
   });
 }
 
@@ -171,7 +192,10 @@ vorpipe_code setSites(vorpipe_input* input, const Given* sites, std::string_view
   return guarded([&] {
     VORPIPE_TAKE(given, taken(sites, name));
     VORPIPE_TAKE(copy, sitesOf(given));
-    return codeOf(replaceSites(*input, std::move(copy)));
+    VORPIPE_TAKE(z, thirdOf(given));
+    auto replaced = replaceSites(*input, std::move(copy));
+    if (replaced) input->z = z;
+    return codeOf(std::move(replaced));
   });
 }
 

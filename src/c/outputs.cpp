@@ -39,6 +39,7 @@ Result<void> writeAs(ByteSink& to, const vorpipe_diagram& diagram, const CellsFo
 }
 
 Result<void> writeEdgesAs(ByteSink& to, const vorpipe_diagram& diagram, const EdgesFormat& format) {
+  VORPIPE_TRY(refuseSpace(diagram, "files of edges"));
   const auto& topology = sharedPartsOf(diagram);
   if (!topology) return tl::unexpected(topology.error());
   return writeLines(to, edgesOf(*diagram.input->given, diagram.diagram, *topology, systemOf(*diagram.input)),
@@ -119,9 +120,10 @@ vorpipe_code vorpipe_diagram_write_with(const vorpipe_diagram* diagram, const ch
   return guarded([&] {
     const auto given = taken(options, "vorpipe_write_options");
     if (!given) return fail(given.error());
+    auto sink = sinkOf(format, write, user);
+    if (diagram->space) return codeOf(writeInSpace(sink, *diagram, std::string("cells.") + format));
     const auto known = cellsFormatOf(std::string("cells.") + format);
     if (!known) return fail(known.error());
-    auto sink = sinkOf(format, write, user);
     return codeOf(writeAs(sink, *diagram, **known, *given));
   });
 }
@@ -133,6 +135,8 @@ vorpipe_code vorpipe_diagram_save_with(const vorpipe_diagram* diagram, const cha
   return guarded([&] {
     const auto given = taken(options, "vorpipe_write_options");
     if (!given) return fail(given.error());
+    if (diagram->space)
+      return codeOf(writeFile(path, [&](ByteSink& to) { return writeInSpace(to, *diagram, path); }));
     const auto known = cellsFormatOf(path);
     if (!known) return fail(known.error());
     return codeOf(writeFile(path, [&](ByteSink& to) { return writeAs(to, *diagram, **known, *given); }));

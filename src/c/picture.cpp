@@ -116,6 +116,7 @@ vorpipe_code tellBroken(const Result<std::vector<std::string>>& broken, vorpipe_
 
 /// Returns broken promises of cells, checked in the plane where they were made.
 Result<std::vector<std::string>> checkCells(const vorpipe_diagram& given, int threads) {
+  if (given.space) return check(given.space->sites, given.space->options, given.space->diagram, threads);
   const Sites& sites = *given.input->sites;
   if (!given.plane) return check(sites, given.options, given.diagram, threads);
   Diagram diagram = given.diagram;
@@ -183,6 +184,9 @@ vorpipe_code comparePictures(const vorpipe_picture& a, const vorpipe_picture& b,
 
 vorpipe_code compareDiagrams(const vorpipe_diagram& a, const vorpipe_diagram& b,
                              vorpipe_cells_difference* difference) {
+  for (const vorpipe_diagram* diagram : {&a, &b}) {
+    if (auto refused = refuseSpace(*diagram, "what is compared"); !refused) return fail(refused.error());
+  }
   VORPIPE_TAKE(found, diffCells(a.diagram, b.diagram));
   vorpipe_cells_difference figures{};
   figures.worst_site = found.worst_site;

@@ -163,6 +163,7 @@ typedef struct vorpipe_sites {
   const double* weight; /* NULL: all are equal */
   size_t position_stride;
   size_t weight_stride;
+  const double* z; /* of sites in space, which vorpipe_cells alone takes, without weights; NULL: the plane */
 } vorpipe_sites;
 
 typedef int32_t vorpipe_axes;
@@ -239,6 +240,9 @@ VORPIPE_API vorpipe_code vorpipe_input_random_weights(vorpipe_input* input, doub
  * the convex hull of the sites. What is set last counts. */
 VORPIPE_API vorpipe_code vorpipe_input_set_box(vorpipe_input* input, double xmin, double ymin, double xmax,
                                                double ymax, vorpipe_axes periodic);
+/* The domain of sites in space [their box, grown on every side by 5 % of its longest side]. */
+VORPIPE_API vorpipe_code vorpipe_input_set_box3(vorpipe_input* input, double xmin, double ymin, double zmin,
+                                                double xmax, double ymax, double zmax);
 VORPIPE_API vorpipe_code vorpipe_input_set_outline(vorpipe_input* input, const vorpipe_outline* outline);
 VORPIPE_API vorpipe_code vorpipe_input_read_outline(vorpipe_input* input, const char* path);
 VORPIPE_API vorpipe_code vorpipe_input_set_hull(vorpipe_input* input);
@@ -385,7 +389,9 @@ enum {
   VORPIPE_WALL_XMAX = -2,
   VORPIPE_WALL_YMIN = -3,
   VORPIPE_WALL_YMAX = -4,
-  VORPIPE_WALL_OUTLINE = -5
+  VORPIPE_WALL_OUTLINE = -5,
+  VORPIPE_WALL_ZMIN = -6,
+  VORPIPE_WALL_ZMAX = -7
 };
 
 /* Cell i has the vertices offsets[i] .. offsets[i + 1] - 1, counter-clockwise; edge k of a cell runs from its
@@ -423,16 +429,30 @@ enum {
   VORPIPE_BORDER_NEIGHBORS = 24, /* by part: int64, as VORPIPE_CELL_NEIGHBORS */
   /* Cells as indexed triangles for a GPU, found when first asked for: each vertex belongs to one cell. Of
    * VORPIPE_EVERYTHING and VORPIPE_POLYGONS. */
-  VORPIPE_MESH_VERTICES = 25,   /* 2 floats: VORPIPE_CELL_VERTICES, rounded */
-  VORPIPE_MESH_SITES = 26,      /* by vertex: uint32 */
-  VORPIPE_MESH_TRIANGLES = 27,  /* 3 uint32: vertices, counter-clockwise, cell after cell */
-  VORPIPE_CELL_SOLID_ANGLE = 28 /* by site: double, steradians; of the globe */
+  VORPIPE_MESH_VERTICES = 25,    /* 2 floats: VORPIPE_CELL_VERTICES, rounded */
+  VORPIPE_MESH_SITES = 26,       /* by vertex: uint32 */
+  VORPIPE_MESH_TRIANGLES = 27,   /* 3 uint32: vertices, counter-clockwise, cell after cell */
+  VORPIPE_CELL_SOLID_ANGLE = 28, /* by site: double, steradians; of the globe */
+  /* Of cells in space. VORPIPE_CELL_OFFSETS says where the faces of a cell begin, in ascending order of
+   * VORPIPE_CELL_NEIGHBORS; VORPIPE_CELL_CENTROID has 3 doubles, VORPIPE_CELL_SECOND_MOMENTS 6: xx, yy, zz,
+   * yz, xz and xy. From VORPIPE_FACE_OFFSETS on not of VORPIPE_MEASURES. docs/space.md says what ties are. */
+  VORPIPE_CELL_VOLUME = 29,         /* by site: double */
+  VORPIPE_CELL_SURFACE = 30,        /* by site: double, its area */
+  VORPIPE_FACE_AREA = 31,           /* by face: double */
+  VORPIPE_FACE_OFFSETS = 32,        /* by face, and one more: uint64, where its vertices begin */
+  VORPIPE_FACE_VERTICES = 33,       /* uint32: vertices around faces, counter-clockwise seen from outside */
+  VORPIPE_SPACE_VERTICES = 34,      /* 3 doubles: each vertex once */
+  VORPIPE_VERTEX_SITE_OFFSETS = 35, /* by vertex, and one more: uint64 */
+  VORPIPE_VERTEX_SITES = 36         /* int64: the sites and walls that meet in each vertex */
 };
 
 /* Writes an array of the diagram, which it keeps. One that this diagram does not have is empty. */
 VORPIPE_API vorpipe_code vorpipe_diagram_array(const vorpipe_diagram* diagram, vorpipe_diagram_field field,
                                                vorpipe_array* array);
 VORPIPE_API double vorpipe_diagram_area_sum(const vorpipe_diagram* diagram);
+/* 3 of cells in space; what is of the plane alone then ends with VORPIPE_INPUT. */
+VORPIPE_API int32_t vorpipe_diagram_dimension(const vorpipe_diagram* diagram);
+VORPIPE_API double vorpipe_diagram_volume_sum(const vorpipe_diagram* diagram);
 
 /* Verifies what is promised about cells, with nothing of what computes them. VORPIPE_DIFFERENT: a promise is
  * broken; the last error names the first, and `broken`, which may be NULL, gets each in a line of its own. */

@@ -402,11 +402,80 @@ static void moves(vorpipe_session* session) {
 }
 #endif
 
+#ifndef HEADER_OF_0_1
+/* Two sites share a box in space by halves. */
+static void inSpace(vorpipe_session* session) {
+  const double points[] = {0.5, 0.5, 0.5, 1.5, 0.5, 0.5};
+  const vorpipe_diagram_field of_polyhedra[] = {VORPIPE_CELL_SECOND_MOMENTS, VORPIPE_FACE_OFFSETS,
+                                                VORPIPE_FACE_VERTICES, VORPIPE_SPACE_VERTICES,
+                                                VORPIPE_VERTEX_SITE_OFFSETS, VORPIPE_VERTEX_SITES};
+  const uint64_t counts[] = {2, 13, 48, 12, 13, 48};
+  vorpipe_sites sites = {sizeof sites};
+  vorpipe_render_options picture = {sizeof picture};
+  vorpipe_report report = {sizeof report};
+  vorpipe_cells_difference difference = {sizeof difference};
+  vorpipe_input* input = NULL;
+  vorpipe_diagram* diagram;
+  vorpipe_picture* drawn = NULL;
+  vorpipe_array array;
+  double box[4];
+  size_t k;
+  sites.count = 2;
+  sites.x = points;
+  sites.y = points + 1;
+  sites.z = points + 2;
+  sites.position_stride = 3 * sizeof(double);
+  DONE(vorpipe_input_create(&sites, &input));
+  DONE(vorpipe_input_set_box3(input, 0, 0, 0, 2, 1, 1));
+  diagram = cellsOf(session, input, VORPIPE_EVERYTHING);
+  PROMISE(vorpipe_diagram_dimension(diagram) == 3 && vorpipe_diagram_volume_sum(diagram) == 2);
+  PROMISE(vorpipe_diagram_area_sum(diagram) == 0);
+  DONE(vorpipe_diagram_check(diagram, 0, NULL, NULL));
+  DONE(vorpipe_diagram_report(diagram, &report));
+  PROMISE(report.ok == 2);
+  array = arrayOf(diagram, VORPIPE_CELL_VOLUME);
+  PROMISE(array.count == 2 && array.type == VORPIPE_DOUBLE && ((const double*)array.data)[1] == 1);
+  array = arrayOf(diagram, VORPIPE_CELL_SURFACE);
+  PROMISE(((const double*)array.data)[0] == 6);
+  array = arrayOf(diagram, VORPIPE_CELL_CENTROID);
+  PROMISE(array.columns == 3 && ((const double*)array.data)[3] == 1.5);
+  array = arrayOf(diagram, VORPIPE_CELL_NEIGHBORS);
+  PROMISE(array.count == 12 && ((const int64_t*)array.data)[0] == VORPIPE_WALL_ZMAX);
+  PROMISE(((const int64_t*)array.data)[5] == 1 && ((const int64_t*)array.data)[11] == 0);
+  PROMISE(arrayOf(diagram, VORPIPE_FACE_AREA).count == 12);
+  for (k = 0; k < 6; ++k) PROMISE(arrayOf(diagram, of_polyhedra[k]).count == counts[k]);
+  REFUSED(VORPIPE_INPUT, "no array 3", vorpipe_diagram_array(diagram, VORPIPE_CELL_AREA, &array));
+  REFUSED(VORPIPE_INPUT, "in space", vorpipe_diagram_save_edges(diagram, "edges.csv"));
+  REFUSED(VORPIPE_INPUT, "in space", vorpipe_diagrams_compare(diagram, diagram, &difference));
+  DONE(vorpipe_diagram_save(diagram, "space.vtu"));
+  REFUSED(VORPIPE_INPUT, "known are .npz", vorpipe_diagram_save(diagram, "space.geojson"));
+  vorpipe_diagram_free(diagram);
+  diagram = cellsOf(session, input, VORPIPE_MEASURES);
+  for (k = 0; k < 6; ++k) PROMISE(arrayOf(diagram, of_polyhedra[k]).count == 0);
+  REFUSED(VORPIPE_INPUT, "more detail", vorpipe_diagram_save(diagram, "space.obj"));
+  vorpipe_diagram_free(diagram);
+  REFUSED(VORPIPE_INPUT, "cells alone", vorpipe_render(session, input, &picture, &drawn));
+  REFUSED(VORPIPE_INPUT, "cells alone", vorpipe_input_domain(input, box));
+  DONE(vorpipe_input_set_box(input, 0, 0, 1, 1, VORPIPE_PERIODIC_X));
+  REFUSED(VORPIPE_INPUT, "box3", vorpipe_cells(session, input, NULL, &diagram));
+  vorpipe_input_free(input);
+  sites.z = NULL;
+  DONE(vorpipe_input_create(&sites, &input));
+  REFUSED(VORPIPE_INPUT, "no z", vorpipe_input_set_box3(input, 0, 0, 0, 1, 1, 1));
+  diagram = cellsOf(session, input, VORPIPE_MEASURES);
+  PROMISE(vorpipe_diagram_dimension(diagram) == 2 && vorpipe_diagram_volume_sum(diagram) == 0);
+  REFUSED(VORPIPE_INPUT, "29", vorpipe_diagram_array(diagram, VORPIPE_CELL_VOLUME, &array));
+  vorpipe_diagram_free(diagram);
+  vorpipe_input_free(input);
+}
+#endif
+
 void cells_promises(vorpipe_session* session) {
 #ifndef HEADER_OF_0_1
   globes(session);
   meshes(session);
   moves(session);
+  inSpace(session);
 #endif
   sharedAndFound(session);
   halves(session);

@@ -201,7 +201,7 @@ Option addReport(Options& options, const std::string& name, std::string& target,
 
 Choices sitesChoices() {
   Choices choices{{}, strings(sitesExtensions())};
-  for (const auto& names : {patternNames(), globePatternNames()}) {
+  for (const auto& names : {patternNames(), globePatternNames(), spacePatternNames()}) {
     for (const std::string_view pattern : names) choices.words.push_back(fmt::format("{}:", pattern));
   }
   return choices;
