@@ -158,30 +158,28 @@ double earthRadius() { return std::sqrt(squaredRadius()); }
 
 SphereMeasures wholeSphere(const Direction& site) { return {4 * pi, 4 * pi * squaredRadius(), 0, site}; }
 
-SphereMeasures measureCell(const SphereSites& sites, const SphereCells& cells, std::size_t site,
-                           std::span<double> lengths) {
+SphereMeasures measureCell(const SphereSites& sites, const SphereCell& cell, std::span<double> lengths) {
   constexpr double large = 1;  // radians
-  const Direction& own = sites.direction[site];
-  const auto begin = cells.offsets[site], end = cells.offsets[site + 1];
+  const auto count = cell.vertex.size();
   double reach = 0;
-  for (auto e = begin; e < end; ++e) reach = std::max(reach, lengthOf(cells.vertex[e] - own));
-  Direction apex = own;
+  for (const Direction& vertex : cell.vertex) reach = std::max(reach, lengthOf(vertex - cell.direction));
+  Direction apex = cell.direction;
   if (reach > large) {
     Direction center{0, 0, 0};
-    for (auto e = begin; e < end; ++e) {
-      const GreatArc arc = arcOf(sites.vectors(), cells, site, e);
+    for (std::size_t e = 0; e < count; ++e) {
+      const GreatArc arc = arcOf(sites.vectors(), cell, e);
       center = center + arc.angle * arc.axis;
     }
     apex = normalized(center);
   }
   Sums sums(apex);
-  for (auto e = begin; e < end; ++e) {
-    const auto next = e + 1 < end ? e + 1 : begin;
-    const Direction &from = cells.vertex[e], &to = cells.vertex[next];
+  for (std::size_t e = 0; e < count; ++e) {
+    const auto next = e + 1 < count ? e + 1 : 0;
+    const Direction &from = cell.vertex[e], &to = cell.vertex[next];
     const double angle = next != e && lengthOf(to - from) <= longest_arc
                              ? sums.add(from, to)
-                             : sums.add(arcOf(sites.vectors(), cells, site, e));
-    if (!lengths.empty()) lengths[e - begin] = angle;
+                             : sums.add(arcOf(sites.vectors(), cell, e));
+    if (!lengths.empty()) lengths[e] = angle;
   }
   return sums.measures(reach < small_cell);
 }

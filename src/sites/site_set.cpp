@@ -14,6 +14,7 @@
 #include "base/refusal.h"
 #include "base/try.h"
 #include "sites/bin_sort.h"
+#include "sites/distinct_sites.h"
 #include "sites/grid.h"
 #include "sites/weights.h"
 
@@ -139,6 +140,32 @@ Result<void> separate(SiteSet& set, int threads, const NearError& error) {
   return {};
 }
 
+/// Prepares sites; order(extent, scale, prepared) fills the set's sites and grid.
+template <class Order>
+Result<Prepared> prepareBy(const Sites& sites, const Box& domain, int threads, const CallersSites* callers,
+                           const Order& order) {
+  VORPIPE_TRY(checkDomain(domain));
+  VORPIPE_TRY(checkNumber(sites));
+  Prepared prepared;
+  prepared.exponent = scaleExponent(domain);
+  const PowerOfTwo scale(prepared.exponent);
+  auto& set = prepared.set;
+  set.domain = scaledDomain(domain, prepared.exponent);
+  set.has_images = callers != nullptr;
+  if (set.has_images) set.shorter_side = scale(shorterSide(callers->domain));
+  set.coverage = {-infinite, -infinite, infinite, infinite};
+  const auto extent = extentOf(sites, scale, surroundings(set.domain), threads);
+  if (!extent.usable) return tl::unexpected(firstUnusable(sites, scale));
+  VORPIPE_LET(weights, scaledWeights(sites, prepared.exponent, threads));
+  order(extent, scale, prepared);
+  giveWeights(weights, threads, set);
+  VORPIPE_TRY(separate(set, threads, [&](std::uint32_t i, std::uint32_t j) {
+    return callers == nullptr ? nearSites(sites, i, j)
+                              : nearSites(callers->sites, callers->siteOf(i), callers->siteOf(j));
+  }));
+  return prepared;
+}
+
 }  // namespace
 
 Result<void> checkSites(const Sites& sites, const Box& domain, int threads) {
@@ -152,29 +179,18 @@ Result<void> checkSites(const Sites& sites, const Box& domain, int threads) {
 }
 
 Result<Prepared> prepare(const Sites& sites, const Box& domain, int threads, const CallersSites* callers) {
-  VORPIPE_TRY(checkDomain(domain));
-  VORPIPE_TRY(checkNumber(sites));
-  Prepared prepared;
-  prepared.exponent = scaleExponent(domain);
-  const PowerOfTwo scale(prepared.exponent);
-  auto& set = prepared.set;
-  set.domain = scaledDomain(domain, prepared.exponent);
-  set.has_images = callers != nullptr;
-  if (set.has_images) set.shorter_side = scale(shorterSide(callers->domain));
-  set.coverage = {-infinite, -infinite, infinite, infinite};
+  return prepareBy(sites, domain, threads, callers,
+                   [&](const Extent& extent, const PowerOfTwo& scale, Prepared& prepared) {
+                     prepared.set.grid = gridOver(extent, surroundings(prepared.set.domain));
+                     orderByBins(sites, scale, threads, prepared.set, prepared.owner);
+                   });
+}
 
-  const auto near = surroundings(set.domain);
-  const auto extent = extentOf(sites, scale, near, threads);
-  if (!extent.usable) return tl::unexpected(firstUnusable(sites, scale));
-  VORPIPE_LET(weights, scaledWeights(sites, prepared.exponent, threads));
-  set.grid = gridOver(extent, near);
-  orderByBins(sites, scale, threads, set, prepared.owner);
-  giveWeights(weights, threads, set);
-  VORPIPE_TRY(separate(set, threads, [&](std::uint32_t i, std::uint32_t j) {
-    return callers == nullptr ? nearSites(sites, i, j)
-                              : nearSites(callers->sites, callers->siteOf(i), callers->siteOf(j));
-  }));
-  return prepared;
+Result<Prepared> prepareInOneBin(const Sites& sites, const Box& domain, int threads) {
+  return prepareBy(sites, domain, threads, nullptr,
+                   [&](const Extent&, const PowerOfTwo& scale, Prepared& prepared) {
+                     keepDistinct(sites, scale, threads, prepared.set, prepared.owner);
+                   });
 }
 
 Result<Prepared> preparePart(const Sites& sites, const PartOfRun& part, int threads) {

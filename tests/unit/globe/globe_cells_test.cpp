@@ -128,7 +128,11 @@ TEST(SphereCells, TurnWithTheirSites) {
   const auto rowsOf = [](const core::SphereSites& of) {
     const auto mesh = core::triangulateSphere(of, 1);
     const auto cells = core::cellsOfSphere(of, *mesh, false, 1);
-    return std::pair(cells->offsets, cells->neighbor);
+    std::vector<std::vector<std::int64_t>> rows(of.direction.size());
+    cells->visit(0, cells->steps(), [&](const core::SphereCell& cell) {
+      rows[cell.site].assign(cell.neighbor.begin(), cell.neighbor.end());
+    });
+    return rows;
   };
   const auto rows = rowsOf(sites);
   int turns = 0;
