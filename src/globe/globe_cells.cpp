@@ -17,27 +17,59 @@
 namespace vorpipe::core {
 namespace {
 
-constexpr std::size_t globe_grain = 1024;
+constexpr std::size_t globe_grain = 512;
 
-/// Writes a cell's row, whose place is known, and its measures.
-void writeCell(const SphereSites& sites, const SphereCell& cell, Diagram& diagram) {
-  const auto site = cell.site;
-  const auto row = static_cast<std::ptrdiff_t>(diagram.cell_offsets[site]);
-  std::ranges::copy(cell.neighbor, diagram.neighbors.begin() + row);
-  if (!cell.place.empty()) std::ranges::copy(cell.place, diagram.vertices.begin() + row);
-  std::span<double> lengths;
-  if (!cell.place.empty()) lengths = {diagram.edge_lengths.data() + row, cell.place.size()};
-  const SphereMeasures measures =
-      cell.vertex.empty() ? wholeSphere(cell.direction) : measureCell(sites, cell, lengths);
-  diagram.status[site] = Status::ok;
-  diagram.area[site] = measures.area;
-  diagram.solid_angle[site] = measures.solid_angle;
-  diagram.centroid[site] = placeOf(measures.centroid);
-  if (diagram.perimeter.empty()) return;
-  const double radius = earthRadius();
-  diagram.perimeter[site] = radius * measures.perimeter;
-  for (double& length : lengths) length *= radius;
-}
+/// Cells and their measures, to be written at once: sites lie anywhere in the input, and one after another
+/// each cell would wait for memory.
+class CellsToWrite {
+ public:
+  explicit CellsToWrite(const SphereSites& sites) : sites_(sites) {}
+
+  void add(const SphereCell& cell) {
+    neighbor_.insert(neighbor_.end(), cell.neighbor.begin(), cell.neighbor.end());
+    place_.insert(place_.end(), cell.place.begin(), cell.place.end());
+    length_.resize(place_.size());
+    const auto lengths = std::span(length_).last(cell.place.size());
+    const SphereMeasures measures =
+        cell.vertex.empty() ? wholeSphere(cell.direction) : measureCell(sites_, cell, lengths);
+    cells_.push_back({cell.site, neighbor_.size(), measures, placeOf(measures.centroid)});
+  }
+
+  /// Writes the cells into rows whose places are known.
+  void write(Diagram& diagram) {
+    const double radius = earthRadius();
+    for (double& length : length_) length *= radius;
+    std::size_t begin = 0;
+    for (const auto& [site, end, measures, centroid] : cells_) {
+      const auto copyRow = [&](const auto& from, auto& to) {
+        if (!from.empty())
+          std::copy_n(from.data() + begin, end - begin, to.data() + diagram.cell_offsets[site]);
+      };
+      copyRow(neighbor_, diagram.neighbors);
+      copyRow(place_, diagram.vertices);
+      copyRow(length_, diagram.edge_lengths);
+      diagram.status[site] = Status::ok;
+      diagram.area[site] = measures.area;
+      diagram.solid_angle[site] = measures.solid_angle;
+      diagram.centroid[site] = centroid;
+      if (!diagram.perimeter.empty()) diagram.perimeter[site] = radius * measures.perimeter;
+      begin = end;
+    }
+  }
+
+ private:
+  struct Measured {
+    std::size_t site, end;  ///< of the cell's rows
+    SphereMeasures measures;
+    Point centroid;
+  };
+
+  const SphereSites& sites_;
+  std::vector<Measured> cells_;
+  std::vector<std::int64_t> neighbor_;
+  std::vector<Point> place_;
+  std::vector<double> length_;
+};
 
 /// Stages of a run, as large as each other, for the progress: the triangulation counts as two.
 constexpr std::size_t globe_stages = 4;
@@ -79,8 +111,9 @@ Result<void> writeDiagram(const SphereSites& placed, const Sites& sites, SphereC
   const StageRange last{steps, (globe_stages - 1) * steps, globe_stages * steps};
   return runInSteps(progress, "cells", last, steps, [&](std::size_t first, std::size_t some) -> Result<void> {
     parallelFor(some, globe_grain, threads, [&](std::size_t begin, std::size_t end) {
-      cells.visit(first + begin, first + end,
-                  [&](const SphereCell& cell) { writeCell(placed, cell, diagram); });
+      CellsToWrite written(placed);
+      cells.visit(first + begin, first + end, [&](const SphereCell& cell) { written.add(cell); });
+      written.write(diagram);
     });
     return {};
   });

@@ -105,17 +105,17 @@ constexpr std::uint32_t no_corner = ~std::uint32_t{0};
 /// Lists the triangles, by `root`, around a vertex whose edges are no ties, counter-clockwise.
 void listAround(const SphereMesh& mesh, const std::vector<std::uint32_t>& root, std::uint32_t v,
                 std::vector<MeshCorner>& around) {
-  constexpr std::array<std::size_t, 3> after{1, 2, 0};
   around.clear();
   const auto begin = mesh.at[v];
   if (begin < 0) return;
+  const auto own = static_cast<std::int32_t>(v);
   auto t = begin;
   std::uint32_t before = no_corner;
   do {
     const MeshTriangle& triangle = mesh.triangles[static_cast<std::size_t>(t)];
     const auto& corner = triangle.corner;
-    const auto own = static_cast<std::int32_t>(v);
-    const auto next = after[corner[0] == own ? 0 : corner[1] == own ? 1 : 2];
+    // The corner after its own, without a jump that no processor would foresee.
+    const auto next = std::size_t{corner[0] == own} + 2 * std::size_t{corner[1] == own};
     before = root[static_cast<std::size_t>(t)];
     around.push_back({before, static_cast<std::uint32_t>(corner[next])});
     t = triangle.neighbor[next];
@@ -344,14 +344,15 @@ void SphereCells::visitMesh(std::size_t begin, std::size_t end,
     neighbor.resize(around.size());
     vertex.resize(around.size());
     if (!places_.empty()) place.resize(around.size());
-    const auto siteOf = [&](const MeshCorner& corner) { return mesh_->site[corner.first]; };
-    auto from = static_cast<std::size_t>(std::ranges::min_element(around, {}, siteOf) - around.begin());
+    std::uint64_t lowest = ~std::uint64_t{0};  // site and position
     for (std::size_t k = 0; k < around.size(); ++k) {
-      const MeshCorner& corner = around[from];
-      neighbor[k] = siteOf(corner);
-      vertex[k] = centers_[corner.triangle].at;
-      if (!places_.empty()) place[k] = places_[corner.triangle];
-      from = from + 1 < around.size() ? from + 1 : 0;
+      lowest = std::min(lowest, std::uint64_t{mesh_->site[around[k].first]} << 32 | k);
+    }
+    std::ranges::rotate(around, around.begin() + static_cast<std::ptrdiff_t>(lowest & ~std::uint32_t{0}));
+    for (std::size_t k = 0; k < around.size(); ++k) {
+      neighbor[k] = mesh_->site[around[k].first];
+      vertex[k] = centers_[around[k].triangle].at;
+      if (!places_.empty()) place[k] = places_[around[k].triangle];
     }
     work({mesh_->site[v], along_[v], neighbor, vertex, place});
   }
