@@ -210,8 +210,10 @@ class CellRows {
     const auto depth = [&](std::size_t site) { return depthOf(sites_, t[0], site); };
     const Direction way =
         1 / (size * size) * (depth(t[1]) * cross(b, across) + depth(t[2]) * cross(across, a));
-    if (lengthOf(way) < near && dot(sites_.direction[t[0]], across) > 0) {
-      return {normalized(sites_.direction[t[0]] + way), few * epsilon * (1 + longest * longest / size)};
+    const double radius = lengthOf(way);
+    if (radius < near && dot(sites_.direction[t[0]], across) > 0) {
+      return {normalized(sites_.direction[t[0]] + way),
+              few * epsilon * (1 + (longest + radius) * longest / size)};
     }
     return {1 / size * across, few * epsilon * longest / size};
   }

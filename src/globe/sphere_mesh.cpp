@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <atomic>
+#include <cmath>
+#include <functional>
 #include <limits>
 #include <mutex>
 #include <numeric>
@@ -91,6 +93,31 @@ std::uint32_t centerOf(const SphereSites& sites, int threads) {
   return candidates[static_cast<std::size_t>(std::ranges::max_element(nearest) - nearest.begin())];
 }
 
+/// Axes along which a direction has no negative part, the largest first. In these coordinates all is rounded
+/// alike, however a cube's rotation turns the sites.
+class AxesOf {
+ public:
+  explicit AxesOf(const Direction& direction) {
+    const std::array parts{direction.x, direction.y, direction.z};
+    std::ranges::sort(order_, std::greater{}, [&](std::size_t k) { return std::abs(parts[k]); });
+    for (std::size_t k = 0; k < 3; ++k) sign_[k] = std::copysign(1, parts[order_[k]]);
+    const bool is_even = order_[1] == (order_[0] + 1) % 3;
+    handedness_ = sign_[0] * sign_[1] * sign_[2] * (is_even ? 1 : -1);
+  }
+
+  Direction operator()(const Direction& a) const {
+    const std::array parts{a.x, a.y, a.z};
+    return {sign_[0] * parts[order_[0]], sign_[1] * parts[order_[1]], sign_[2] * parts[order_[2]]};
+  }
+  /// 1 if they are right-handed, else -1.
+  [[nodiscard]] double handedness() const { return handedness_; }
+
+ private:
+  std::array<std::size_t, 3> order_{0, 1, 2};
+  std::array<double, 3> sign_{};
+  double handedness_;
+};
+
 /// The sites in the plane, seen from outside of the sphere: without those in the direction of the center.
 struct PlaneSites {
   Sites sites;
@@ -108,13 +135,14 @@ PlaneSites projectFrom(std::uint32_t from, const SphereSites& sites, int threads
   plane.sites.y.resize(count);
   if (!sites.excess.empty()) plane.sites.weight.resize(count);
   const double own = sites.excessOf(from);
-  const Direction right = perpendicular(center), up = cross(right, center);
+  const AxesOf axes(center);
+  const Direction right = perpendicular(axes(center)), up = axes.handedness() * cross(right, axes(center));
   parallelFor(count, sphere_grain, threads, [&](std::size_t begin, std::size_t end) {
     for (auto k = begin; k < end; ++k) {
       const auto site = plane.site[k];
-      const double depth = depthOf(sites, from, site);
-      const double excess = sites.excessOf(site), scale = (1 + excess) / depth;
-      const Direction way = sites.direction[site] - center;
+      const Direction way = axes(sites.direction[site] - center);
+      const double excess = sites.excessOf(site);
+      const double depth = own - excess + (1 + excess) * dot(way, way) / 2, scale = (1 + excess) / depth;
       plane.sites.x[k] = scale * dot(right, way);
       plane.sites.y[k] = scale * dot(up, way);
       if (plane.sites.weight.empty()) continue;

@@ -73,8 +73,9 @@ struct Facet {
     };
     way = 1 / (size * size) * (depth(b) * cross(to_c, across) + depth(c) * cross(across, to_b));
     normal = 1 / size * across;
-    is_near = lengthOf(way) < near && dot({inDouble(a.x()), inDouble(a.y()), inDouble(a.z())}, across) > 0;
-    rounding = few * epsilon * (is_near ? 1 + longest * longest / size : longest / size);
+    const double radius = lengthOf(way);
+    is_near = radius < near && dot({inDouble(a.x()), inDouble(a.y()), inDouble(a.z())}, across) > 0;
+    rounding = few * epsilon * (is_near ? 1 + (longest + radius) * longest / size : longest / size);
   }
 };
 
