@@ -41,10 +41,19 @@ ExactPoint onSphere(const Direction& d) {
   return {exact[0], exact[1], exact[2]};
 }
 
+/// Whether sites are taken to be on the sphere exactly: with weights, or of many sites, these vectors are as
+/// rounded as those of the program, which moves facets between neighbors that are far from each other by
+/// little.
+bool areExact(const Sites& sites) {
+  constexpr std::size_t many = 10000;
+  return sites.weight.empty() && sites.size() < many;
+}
+
 /// The vector of a site, as globe.md says: p / cos(r).
 ExactPoint vectorAt(const Sites& sites, std::size_t i) {
   const Direction d = core::directionOf({sites.x[i], sites.y[i]});
-  if (sites.weight.empty()) return onSphere(d);
+  if (areExact(sites)) return onSphere(d);
+  if (sites.weight.empty()) return {d.x, d.y, d.z};
   constexpr double radius = 6371.0071809;
   const double r = std::sqrt(std::abs(sites.weight[i])) / radius;
   const double longer = sites.weight[i] < 0 ? 1 / std::cosh(r) : 1 / std::cos(r);
@@ -64,7 +73,7 @@ struct Facet {
   bool is_near;
   double rounding;
 
-  Facet(const ExactPoint& a, const ExactPoint& b, const ExactPoint& c) {
+  Facet(const ExactPoint& a, const ExactPoint& b, const ExactPoint& c, bool is_exact) {
     constexpr double few = 16, near = 0.5, epsilon = std::numeric_limits<double>::epsilon();
     const Direction to_b = difference(b, a), to_c = difference(c, a), across = cross(to_b, to_c);
     const double size = lengthOf(across), longest = std::max(lengthOf(to_b), lengthOf(to_c));
@@ -75,7 +84,8 @@ struct Facet {
     normal = 1 / size * across;
     const double radius = lengthOf(way);
     is_near = radius < near && dot({inDouble(a.x()), inDouble(a.y()), inDouble(a.z())}, across) > 0;
-    rounding = few * epsilon * (is_near ? 1 + (longest + radius) * longest / size : longest / size);
+    rounding =
+        few * epsilon * (is_near && is_exact ? 1 + (longest + radius) * longest / size : longest / size);
   }
 };
 
@@ -87,6 +97,7 @@ struct HullEdges {
 HullEdges hullEdges(const Sites& sites, const Diagram& found) {
   constexpr double tie = 1e-6;
   Number::set_relative_precision_of_to_double(1e-13);
+  const bool is_exact = areExact(sites);
   std::vector<ExactPoint> points;
   std::map<ExactPoint, std::size_t> index;
   for (std::size_t i = 0; i < sites.size(); ++i) {
@@ -99,8 +110,8 @@ HullEdges hullEdges(const Sites& sites, const Diagram& found) {
   for (const auto edge : hull.edges()) {
     const auto half = hull.halfedge(edge), twin = hull.opposite(half);
     const auto &a = hull.point(hull.source(half)), &b = hull.point(hull.target(half));
-    const Facet left(a, b, hull.point(hull.target(hull.next(half)))),
-        right(a, hull.point(hull.target(hull.next(twin))), b);
+    const Facet left(a, b, hull.point(hull.target(hull.next(half))), is_exact),
+        right(a, hull.point(hull.target(hull.next(twin))), b, is_exact);
     const double length =
         lengthOf(left.is_near && right.is_near ? left.way - right.way : left.normal - right.normal);
     const double shortest = tie * lengthOf(difference(b, a));
