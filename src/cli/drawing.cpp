@@ -192,8 +192,10 @@ Result<RenderOptions> pictureOf(const PictureOptions& picture, const InputOption
   options.periodic = input.periodic;
   options.globe = input.globe;
   VORPIPE_TRY(checkMap(picture, input.globe));
-  if (input.globe && !input.outline.empty()) {
-    return inputError("--domain: pictures of --globe show the whole Earth");
+  if (input.globe && !options.view) {
+    auto shown = domainOnMap(options);
+    if (!shown) return asOption(std::move(shown.error()), sites);
+    options.view = *shown;
   }
   VORPIPE_TRY(takeSize(picture, options));
   options.fit = input.globe ? Fit::letterbox : picture.fit.value_or(usualFit(input));

@@ -1,8 +1,10 @@
 #include <algorithm>
 #include <limits>
+#include <optional>
 #include <utility>
 
 #include "base/parallel.h"
+#include "base/try.h"
 #include "domain/degrees.h"
 #include "globe/sphere_map.h"
 #include "vorpipe/cell.h"
@@ -61,7 +63,7 @@ MapLines linesBetween(const Diagram& diagram, int threads, const Draw& arcOfEdge
     for (auto i = begin; i < end; ++i) {
       const auto neighbors = diagram.cell(i).neighbors();
       for (std::size_t k = 0; k < neighbors.size(); ++k) {
-        if (static_cast<std::size_t>(neighbors[k]) < i) continue;
+        if (neighbors[k] < static_cast<std::int64_t>(i)) continue;
         for (const auto& line : linesOf(map, arcOfEdge(i, k))) append(line, lines);
       }
     }
@@ -76,19 +78,35 @@ MapLines linesBetween(const Diagram& diagram, int threads, const Draw& arcOfEdge
 
 }  // namespace
 
-RenderOptions optionsOnMap(const RenderOptions& options) {
+Result<std::optional<Box>> domainOnMap(const RenderOptions& options) {
+  if (options.view_from || options.outline.empty()) return std::nullopt;
+  VORPIPE_LET(plane, optionsOnMap(options));
+  return boxOf(plane.outline.points);
+}
+
+Result<RenderOptions> optionsOnMap(const RenderOptions& options) {
   const SphereMap map(options);
   RenderOptions plane = options;
   plane.globe = false;
   plane.domain = map.box();
   plane.fit = Fit::letterbox;
   plane.periodic = Periodic::none;
-  plane.view.reset();
   plane.outline = {};
-  if (auto border = map.border(); !border.empty()) {
-    plane.outline.points = std::move(border);
-    plane.outline.ring_offsets = {0, plane.outline.points.size()};
-    plane.outline.polygon_offsets = {0, 1};
+  std::vector<std::vector<Point>> rings;
+  if (options.outline.empty()) {
+    if (auto border = map.border(); !border.empty()) rings.push_back(std::move(border));
+  } else {
+    VORPIPE_LET(polygons, spherePolygonsOf(options.outline));
+    for (const SpherePolygon& polygon : polygons) {
+      for (auto& ring : ringsOf(map, polygon)) rings.push_back(std::move(ring));
+    }
+  }
+  if (rings.empty()) return plane;
+  plane.outline.ring_offsets = plane.outline.polygon_offsets = {0};
+  for (const auto& ring : rings) {
+    plane.outline.points.insert(plane.outline.points.end(), ring.begin(), ring.end());
+    plane.outline.ring_offsets.push_back(plane.outline.points.size());
+    plane.outline.polygon_offsets.push_back(plane.outline.ring_offsets.size() - 1);
   }
   return plane;
 }
@@ -109,13 +127,15 @@ Sites sitesOnMap(const Sites& sites, const RenderOptions& options) {
   return shown;
 }
 
-MapCells cellsOnMap(const Sites& sites, const Diagram& diagram, const RenderOptions& options, int threads) {
+Result<MapCells> cellsOnMap(const Sites& sites, const Diagram& diagram, const RenderOptions& options,
+                            int threads) {
   const SphereMap map(options);
   const auto vectors = vectorsOf(sites, threads);
   std::vector<std::vector<std::vector<Point>>> rings(sites.size());
   parallelEach(sites.size(), map_grain, threadCount(threads),
                [&](std::size_t i) { rings[i] = ringsOf(map, sites, vectors, diagram, i); });
-  MapCells cells{optionsOnMap(options), sitesOnMap(sites, options), {}};
+  VORPIPE_VAR(plane, optionsOnMap(options));
+  MapCells cells{std::move(plane), sitesOnMap(sites, options), {}};
   Diagram& flat = cells.diagram;
   flat.status = diagram.status;
   flat.owner = diagram.owner;
@@ -132,6 +152,10 @@ MapCells cellsOnMap(const Sites& sites, const Diagram& diagram, const RenderOpti
 
 MapLines edgesOnMap(const Sites& sites, const Diagram& diagram, const RenderOptions& options, int threads) {
   const SphereMap map(options);
+  const auto sideAt = [&](std::size_t site, std::size_t k) {
+    return sideOf(sites, diagram, site, diagram.cell_offsets[site] + k);
+  };
+  if (!diagram.ring_starts.empty()) return linesBetween(diagram, threads, sideAt, map);
   const auto vectors = vectorsOf(sites, threads);
   return linesBetween(
       diagram, threads, [&](std::size_t site, std::size_t k) { return arcOf(vectors, diagram, site, k); },

@@ -168,7 +168,8 @@ Result<Marks> marksOf(const Sites& sites, const Diagram& cells, const RenderOpti
   if (options.edges && options.antialias > 1) {
     marks.edges = options.globe ? piecesOf(edgesOnMap(sites, cells, options, threads), options)
                                 : edgeLines(cells, options);
-    marks.outline = outlineLines(options.globe ? optionsOnMap(options) : options);
+    VORPIPE_LET(plane, options.globe ? optionsOnMap(options) : Result<RenderOptions>(options));
+    marks.outline = outlineLines(plane);
   }
   if (options.dual) {
     VORPIPE_VAR(lines, dualLines(sites, cells, options, threads));

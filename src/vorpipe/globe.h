@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -47,13 +48,19 @@ struct MapCells {
 };
 
 /// Returns what a map shows of sites and of cells with Detail::polygons, by the options of a picture of the
-/// globe.
+/// globe. Errors: those of optionsOnMap.
 Sites sitesOnMap(const Sites& sites, const RenderOptions& options);
-MapCells cellsOnMap(const Sites& sites, const Diagram& diagram, const RenderOptions& options,
-                    int threads = 0);
+Result<MapCells> cellsOnMap(const Sites& sites, const Diagram& diagram, const RenderOptions& options,
+                            int threads = 0);
 
-/// Returns the options of a picture of the plane with the map's border.
-RenderOptions optionsOnMap(const RenderOptions& options);
+/// Returns the options of a picture of the plane with the map's border, or with what it shows of the outline.
+/// Errors (input): those of cells in that outline.
+Result<RenderOptions> optionsOnMap(const RenderOptions& options);
+
+/// The box around what a flat map shows of the outline, in the map's unit, which is what a picture of it
+/// shows by itself. None without an outline, and seen from above, where pictures show all. Errors: those of
+/// optionsOnMap.
+Result<std::optional<Box>> domainOnMap(const RenderOptions& options);
 
 /// Returns the edges between cells with Detail::polygons, each once, and the lines between sites whose cells
 /// share an edge: parts of great circles.

@@ -328,10 +328,7 @@ Result<void> checkMap(const PictureOptions& picture, bool globe) {
     return inputError(fmt::format("{}: is for --globe", has_map ? "--map" : "--view-from"));
   }
   if (has_map && has_place) return inputError("--map: --view-from is a map of its own; leave one out");
-  if (picture.render.view || picture.fit) {
-    return inputError(fmt::format("{}: is for a plane; pictures of --globe show the whole map",
-                                  picture.fit ? "--fit" : "--view"));
-  }
+  if (picture.fit) return inputError("--fit: is for a plane; maps of --globe keep their aspect");
   if (!picture.photograph.file.empty()) {
     return inputError("--color: a photograph is for a plane, not for --globe");
   }

@@ -154,9 +154,11 @@ class VectorPicture {
  private:
   VectorPicture(const Sites& sites, const Diagram& diagram, const RenderOptions& options);
   [[nodiscard]] Point pixelOf(Point point) const { return places_.pixelOf(point); }
-  Result<void> placeDots(int threads);
+  /// The caller's sites and options.
+  Result<void> placeDots(const Sites& given, const RenderOptions& wanted, int threads);
   /// Keeps only the sites, by index, whose positions `at` have a cell.
-  Result<void> keepInOutline(const Sites& at, std::vector<std::uint32_t>& sites, int threads) const;
+  static Result<void> keepInOutline(const RenderOptions& wanted, const Sites& at,
+                                    std::vector<std::uint32_t>& sites, int threads);
   [[nodiscard]] double spacingOf(std::span<const std::uint32_t> sites) const;
 
   void addRing(const Cell& cell, Lines& lines) const;
