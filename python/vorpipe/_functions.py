@@ -43,7 +43,7 @@ def cells(points: Any, weights: Any = None, domain: Any = None, *, backend: str 
         device: an index or a part of a name, as `devices` lists them; None for the best.
         threads: of the processor; None for all.
         check: verifies the cells, with nothing of what computes them.
-        detail: "measures" (status, owner, areas, centroids, offsets, neighbors), "polygons" (and perimeters, second
+        detail: "measures" (status, owners, areas, centroids, offsets, neighbors), "polygons" (and perimeters, second
             moments, vertices, edge lengths) or "all" (and triangles). What is not wanted costs no time.
         search: how the sites that may cut a cell are found: "grid", "flann" or "flann:K".
         progress: called with a stage's name and the part done, from 0 to 1; returning False stops the run.

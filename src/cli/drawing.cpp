@@ -176,7 +176,7 @@ Result<void> takeAttributes(const PictureOptions& picture, const Input& input, R
   }
   const auto unit = input.globe ? std::optional(1.0) : squareKilometersIn(input.system);
   if (options.legend_beside && options.legend_title.empty() && options.color == ColorBy::area && unit) {
-    options.legend_title = "area, km\u00B2";
+    options.legend_title = areas_in_kilometers;
     options.legend_factor = *unit;
   }
   return {};

@@ -81,7 +81,9 @@ MapLines linesBetween(const Diagram& diagram, int threads, const Draw& arcOfEdge
 Result<std::optional<Box>> domainOnMap(const RenderOptions& options) {
   if (options.view_from || options.outline.empty()) return std::nullopt;
   VORPIPE_LET(plane, optionsOnMap(options));
-  return boxOf(plane.outline.points);
+  const Box box = boxOf(plane.outline.points), &whole = plane.domain;
+  if (2 * (box.xmax - box.xmin) > whole.xmax - whole.xmin) return std::nullopt;
+  return box;
 }
 
 Result<RenderOptions> optionsOnMap(const RenderOptions& options) {
@@ -91,6 +93,7 @@ Result<RenderOptions> optionsOnMap(const RenderOptions& options) {
   plane.domain = map.box();
   plane.fit = Fit::letterbox;
   plane.periodic = Periodic::none;
+  plane.graticule = 0;
   plane.outline = {};
   std::vector<std::vector<Point>> rings;
   if (options.outline.empty()) {

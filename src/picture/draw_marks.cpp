@@ -138,9 +138,10 @@ void drawLabels(const Marks& marks, const RenderOptions& options, std::span<cons
 }  // namespace
 
 void completePicture(const RenderOptions& options, const Marks& marks, std::span<const std::uint32_t> colors,
-                     const std::optional<ColorKey>& key, Image& image) {
+                     const std::optional<ColorKey>& key, int threads, Image& image) {
   putIntoFrame(shownFrame(options), options.width, options.height, image);
   if (options.background) layOver(options.background->rgba, image);
+  blendLines(marks.graticule, options.edge_width, graticule_color, threads, image);
   drawLabels(marks, options, colors, image);
   if (options.legend && !options.legend_beside) drawLegend(legendOf(*key, options), image);
 }

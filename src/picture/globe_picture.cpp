@@ -129,7 +129,7 @@ Result<Rendering> drawGlobe(const Sites& sites, Diagram diagram, const Diagram* 
     return pixels.draw(first, last, options.antialias);
   };
   VORPIPE_TRY(drawOverlays(overlays, draw, rendering.image));
-  completePicture(options, marks, fills, found.key, rendering.image);
+  completePicture(options, marks, fills, found.key, threads, rendering.image);
   rendering.report = diagram.report;
   rendering.report.time_ms.draw = watch.milliseconds();
   rendering.key = std::move(found.key);

@@ -171,6 +171,9 @@ Result<Marks> marksOf(const Sites& sites, const Diagram& cells, const RenderOpti
     VORPIPE_LET(plane, options.globe ? optionsOnMap(options) : Result<RenderOptions>(options));
     marks.outline = outlineLines(plane);
   }
+  if (options.globe && options.graticule > 0) {
+    marks.graticule = piecesOf(graticuleOnMap(options), options);
+  }
   if (options.dual) {
     VORPIPE_VAR(lines, dualLines(sites, cells, options, threads));
     marks.dual = std::move(lines);

@@ -164,6 +164,7 @@ Result<void> checkPicture(const RenderOptions& options) {
                                      least_with_legend.height));
   }
   if (options.legend && !options.fill) return refusePicture("legend: cells without fill have no colors");
+  if (options.graticule > 0 && !options.globe) return refusePicture("graticule: is of the globe");
   if (options.edge_color && !options.edge_color->isOpaque()) {
     return refusePicture(fmt::format("edge color {}: must be opaque", textOf(*options.edge_color)));
   }

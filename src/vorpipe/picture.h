@@ -131,11 +131,14 @@ struct RenderOptions {
   double legend_factor = 1;          ///< of the numbers in the legend, as 1e-6 for km2 of areas in m2
   bool legend_beside = false;        ///< the legend is right of the picture, which is wider for it
   /// Sites are degrees of longitude and latitude, and cells are those on the sphere (globe.md). The picture
-  /// shows all of a map, in the middle: domain, outline, period, search, fit and view are not used.
+  /// shows all of a map, or a view in the map's unit, in the middle: domain, period, search and fit are not
+  /// used.
   bool globe = false;
   GlobeMap map = GlobeMap::plate_carree;
   /// In degrees: the globe as it is seen from far above this place (orthographic), in place of a map.
   std::optional<Point> view_from{};
+  /// Degrees between meridians, and between parallels, that are drawn on the map, with its border; 0: none.
+  double graticule = 0;
 };
 
 /// What the colors of a picture mean: numbers in a range, or names.

@@ -83,7 +83,8 @@ Result<VectorPicture> VectorPicture::make(const Sites& sites, const Diagram& dia
   }
   if (options.globe) {
     VORPIPE_VAR(cells, cellsOnMap(sites, diagram, options, threads));
-    picture.map_ = std::make_unique<OnMap>(OnMap{std::move(cells), {}});
+    picture.map_ = std::make_unique<OnMap>(OnMap{std::move(cells), {}, {}});
+    if (options.graticule > 0) picture.map_->graticule = graticuleOnMap(options);
     if (options.edges) picture.map_->edges = edgesOnMap(sites, diagram, options, threads);
     picture.sites_ = &picture.map_->cells.sites;
     picture.diagram_ = &picture.map_->cells.diagram;
@@ -170,6 +171,15 @@ double VectorPicture::spacingOf(std::span<const std::uint32_t> sites) const {
   const auto middle = areas.begin() + static_cast<std::ptrdiff_t>(areas.size() / 2);
   std::ranges::nth_element(areas, middle);
   return std::sqrt(*middle);
+}
+
+Lines VectorPicture::graticule() const {
+  Lines lines;
+  for (std::size_t k = 0; map_ && k < map_->graticule.size(); ++k) {
+    lines.begin();
+    for (const Point place : map_->graticule[k]) lines.add(pixelOf(place));
+  }
+  return lines;
 }
 
 Lines VectorPicture::outline() const {

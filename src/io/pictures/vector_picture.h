@@ -84,8 +84,8 @@ class Lines {
 };
 
 /// A picture with the same colors, edges, dual, dots, frame, labels and legend as one in pixels, in the order
-/// in which it is painted: cells, edges, the dual, dots, labels, the legend. Makes shapes one at a time, on
-/// request.
+/// in which it is painted: cells, edges, the dual, dots, the graticule, labels, the legend. Makes shapes one
+/// at a time, on request.
 class VectorPicture {
  public:
   /// Width of a line around each cell, in the cell's color. It closes a gap: renderers smooth the two sides
@@ -120,6 +120,8 @@ class VectorPicture {
   [[nodiscard]] bool cellsShowBackground() const { return vorpipe::cellsShowBackground(*options_); }
   /// Rings that bound the cells, and clip edges and dots by the even-odd rule; none without an outline.
   [[nodiscard]] Lines outline() const;
+  /// Open lines over all cells, in graticule_color.
+  [[nodiscard]] Lines graticule() const;
   [[nodiscard]] const DotSize& dot() const { return dot_; }
   /// Width of edges between cells, and of the dual.
   [[nodiscard]] double edgeWidth() const { return options_->edge_width; }
@@ -168,7 +170,7 @@ class VectorPicture {
   /// Cells of the globe on its map: what is drawn in place of the caller's.
   struct OnMap {
     MapCells cells;
-    MapLines edges;
+    MapLines edges, graticule;
   };
   std::unique_ptr<OnMap> map_;  ///< none in a plane
   const Sites* sites_;
