@@ -6,6 +6,7 @@
 #include "base/parallel.h"
 #include "base/try.h"
 #include "domain/degrees.h"
+#include "domain/rings.h"
 #include "globe/sphere_map.h"
 #include "vorpipe/cell.h"
 #include "vorpipe/globe.h"
@@ -76,6 +77,46 @@ MapLines linesBetween(const Diagram& diagram, int threads, const Draw& arcOfEdge
   return all;
 }
 
+/// Rings that are filled by the even-odd rule, each a polygon here.
+Outline outlineOf(const std::vector<std::vector<Point>>& rings) {
+  Outline outline;
+  if (rings.empty()) return outline;
+  outline.ring_offsets = outline.polygon_offsets = {0};
+  for (const auto& ring : rings) {
+    outline.points.insert(outline.points.end(), ring.begin(), ring.end());
+    outline.ring_offsets.push_back(outline.points.size());
+    outline.polygon_offsets.push_back(outline.ring_offsets.size() - 1);
+  }
+  return outline;
+}
+
+using MapRings = std::vector<std::vector<Point>>;
+
+/// Adds what a map shows of an outline.
+Result<void> addRings(const SphereMap& map, const Outline& degrees, MapRings& rings) {
+  VORPIPE_LET(polygons, spherePolygonsOf(degrees));
+  for (const SpherePolygon& polygon : polygons) {
+    for (auto& ring : ringsOf(map, polygon)) rings.push_back(std::move(ring));
+  }
+  return {};
+}
+
+/// What a map shows of each polygon by itself: neighbors share sides.
+Result<Outline> bordersOnMap(const SphereMap& map, const Outline& degrees) {
+  MapRings rings;
+  for (std::size_t p = 0; p + 1 < degrees.polygon_offsets.size(); ++p) {
+    MapRings polygon;
+    for (auto r = degrees.polygon_offsets[p]; r < degrees.polygon_offsets[p + 1]; ++r) {
+      const auto ring = ringAt(degrees, r);
+      polygon.emplace_back(ring.begin(), ring.end());
+    }
+    Outline alone = outlineOf(polygon);
+    alone.polygon_offsets = {0, polygon.size()};
+    VORPIPE_TRY(addRings(map, alone, rings));
+  }
+  return outlineOf(rings);
+}
+
 }  // namespace
 
 Result<std::optional<Box>> domainOnMap(const RenderOptions& options) {
@@ -95,22 +136,17 @@ Result<RenderOptions> optionsOnMap(const RenderOptions& options) {
   plane.periodic = Periodic::none;
   plane.graticule = 0;
   plane.outline = {};
-  std::vector<std::vector<Point>> rings;
+  if (!options.borders.empty()) {
+    VORPIPE_VAR(borders, bordersOnMap(map, options.borders));
+    plane.borders = std::move(borders);
+  }
   if (options.outline.empty()) {
-    if (auto border = map.border(); !border.empty()) rings.push_back(std::move(border));
-  } else {
-    VORPIPE_LET(polygons, spherePolygonsOf(options.outline));
-    for (const SpherePolygon& polygon : polygons) {
-      for (auto& ring : ringsOf(map, polygon)) rings.push_back(std::move(ring));
-    }
+    if (const auto border = map.border(); !border.empty()) plane.outline = outlineOf({border});
+    return plane;
   }
-  if (rings.empty()) return plane;
-  plane.outline.ring_offsets = plane.outline.polygon_offsets = {0};
-  for (const auto& ring : rings) {
-    plane.outline.points.insert(plane.outline.points.end(), ring.begin(), ring.end());
-    plane.outline.ring_offsets.push_back(plane.outline.points.size());
-    plane.outline.polygon_offsets.push_back(plane.outline.ring_offsets.size() - 1);
-  }
+  MapRings rings;
+  VORPIPE_TRY(addRings(map, options.outline, rings));
+  plane.outline = outlineOf(rings);
   return plane;
 }
 

@@ -98,6 +98,7 @@ Result<void> drawOverlays(const Overlays& overlays, const DrawRows& cells, Image
                              in_pixel};
     drawLines(marks.edges, options.edge_width, edgeColor(options), samples, threads, into);
     drawLines(marks.outline, outlineWidth(options), edgeColor(options), samples, threads, into);
+    drawLines(marks.borders, borderWidth(options), edgeColor(options), samples, threads, into);
     drawLines(marks.dual, options.edge_width, dual_color, samples, threads, into);
     if (dots) dots->draw({0, static_cast<double>(first), in_pixel}, dotColor(options), into);
   };

@@ -143,7 +143,9 @@ Locator::~Locator() = default;
 
 Result<Locator> Locator::make(const Sites& sites, const CellsOptions& options, int threads) {
   try {
-    VORPIPE_TRY(checkOutline(options.outline, options.periodic));
+    if (!options.globe) {
+      VORPIPE_TRY(checkOutline(options.outline, options.periodic));
+    }
     Locator locator;
     locator.state_ = std::make_unique<State>();
     State& state = *locator.state_;

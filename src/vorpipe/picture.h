@@ -88,6 +88,7 @@ inline constexpr std::size_t most_colors = 254;
 struct RenderOptions {
   Box domain;         ///< the region drawn; also clips cells
   Outline outline{};  ///< also clips cells, inside the domain; pixels beyond it have no site
+  Outline borders{};  ///< drawn over cells and edges as wider lines, inside the outline; clips nothing
   Periodic periodic = Periodic::none;
   int width, height;  ///< pixels, 1 to largest_side each
   ColorBy color = ColorBy::site;

@@ -198,10 +198,10 @@ def systems_are_those_of_maps(maps):
 def refused(maps):
     write_sites(next(inputs())[1])
     for options, wanted in (
-        (["--view", "0,0,0,1"], "--view: the view 0,0,0,1 is not a rectangle"),
+        (["--view", "0,0,0,1"], "--view: xmin 0 is not below xmax 0"),
         (["--fit", "stretch"], "--fit: is for a plane"),
         (["--domain", "-180,-90,180,0"], "--domain: polygon 0 reaches"),
-        (["--graticule", "0.01"], "--graticule: \"0.01\""),
+        (["--graticule", "0.01"], "--graticule: 0.01 is not a number of degrees"),
         (["--project", "auto"], "--globe"),
         (["--search", "flann"], "--search: FLANN"),
         (["--map", "mercator"], "--map: \"mercator\" is not plate-carree or equal-earth"),
@@ -332,8 +332,8 @@ def graticules_are_meridians_and_parallels(maps):
         changed = (maps.read_png("p.png") != maps.read_png("q.png")).any(-1)
         height, width = changed.shape
         line, fine = np.arange(-180, 181, 45), np.linspace(-1, 1, 4001)
-        longitude = np.concatenate([np.repeat(line, len(fine)), np.tile(180 * fine, 3)])
-        latitude = np.concatenate([np.tile(90 * fine, len(line)), np.repeat([-45, 0, 45], len(fine))])
+        longitude = np.concatenate([np.repeat(line, len(fine)), np.tile(180 * fine, 5)])
+        latitude = np.concatenate([np.tile(90 * fine, len(line)), np.repeat([-90, -45, 0, 45, 90], len(fine))])
         if options[0] == "--view-from":
             above = [float(text) for text in options[1].split(",")]
             toward, east = spherical(*above), spherical(above[0] + 90, 0)

@@ -272,6 +272,12 @@ Result<void> writeContents(ByteSink& page, const VectorPicture& picture, const P
   if (picture.hasEdges()) {
     VORPIPE_TRY(writeEdges(page, text, picture));
   }
+  if (const Lines lines = picture.borders(); !lines.empty()) {
+    printColor(text, picture.edgeColor(), "RG");
+    printLength(text, borderWidth(picture.options()), "w");
+    printLines(text, lines, /*closed=*/true);
+    put(text, "S\n");
+  }
   if (!picture.dual().empty()) {
     VORPIPE_TRY(writeDual(page, text, picture));
   }

@@ -284,6 +284,12 @@ Result<void> write(ByteSink& sink, const VectorPicture& picture, const Diagram& 
   if (picture.hasEdges()) {
     VORPIPE_TRY(writeEdges(sink, text, picture));
   }
+  if (const Lines lines = picture.borders(); !lines.empty()) {
+    beginLines(text, "borders", clipOf(picture), picture.edgeColor(), borderWidth(picture.options()));
+    put(text, "<path d=\"");
+    printLines(text, lines, "Z");
+    put(text, "\"/>\n</g>\n");
+  }
   if (!picture.dual().empty()) {
     VORPIPE_TRY(writeDual(sink, text, picture));
   }

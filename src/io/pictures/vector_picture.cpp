@@ -182,8 +182,10 @@ Lines VectorPicture::graticule() const {
   return lines;
 }
 
-Lines VectorPicture::outline() const {
-  const Outline& outline = options_->outline;
+Lines VectorPicture::outline() const { return ringsOf(options_->outline); }
+Lines VectorPicture::borders() const { return ringsOf(options_->borders); }
+
+Lines VectorPicture::ringsOf(const Outline& outline) const {
   Lines lines;
   for (std::size_t r = 0; r + 1 < outline.ring_offsets.size(); ++r) {
     lines.begin();
