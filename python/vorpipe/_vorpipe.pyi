@@ -226,7 +226,8 @@ class Words:
 class Look:
     def __init__(self, size: Optional[Tuple[int, Optional[int]]], fit: Optional[str], colors: Colors, words: Words,
                  marks: Dict[str, Union[None, bool, float, str]], search: str, neighbors: int,
-                 view: Optional[Tuple[float, float, float, float]]) -> None: ...
+                 view: Optional[Tuple[float, float, float, float]], map: Optional[str],
+                 view_from: Optional[Tuple[float, float]]) -> None: ...
 
 class ColorKey:
     """What the colors of a picture stand for."""

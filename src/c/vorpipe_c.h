@@ -528,6 +528,13 @@ enum {
   VORPIPE_FIT_LETTERBOX = 2  /* it keeps its aspect, in the middle; pixels beside it have no site */
 };
 
+/* Flat maps of the globe, from 180 degrees west to 180 degrees east. */
+typedef int32_t vorpipe_map;
+enum {
+  VORPIPE_MAP_PLATE_CARREE = 0, /* longitude and latitude, in degrees */
+  VORPIPE_MAP_EQUAL_EARTH = 1   /* areas are true; meters, as EPSG:8857 */
+};
+
 typedef struct vorpipe_render_options {
   uint32_t struct_size;
   int32_t width, height; /* pixels, 1 to 32768; both 0: the longer side is 1000 */
@@ -556,6 +563,10 @@ typedef struct vorpipe_render_options {
   const char* edge_color; /* of edges: "#rgb", "#rrggbb" or a name of CSS; NULL: "#181818" */
   const char* background; /* of what is no cell, and of cells with no_fill; may be "#rrggbbaa"; NULL:
                              transparent, and white cells */
+  vorpipe_map map; /* of an input on the globe; its view is in the map's unit, and it keeps its aspect */
+  int32_t has_view_from; /* not 0: the globe as seen from far above this place, in place of a map */
+  double view_from_longitude, view_from_latitude; /* degrees */
+  double graticule; /* degrees between meridians, and between parallels, on the globe: 0.1 to 90; 0: none */
 } vorpipe_render_options;
 
 typedef struct vorpipe_picture vorpipe_picture;

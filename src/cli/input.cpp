@@ -94,6 +94,7 @@ Result<void> takeParts(const InputOptions& options, const OutlineFile& file, Dom
                     found->same, options.domain.file, inQuotes(found->names.name())));
   }
   input.part_names = std::move(found->names);
+  settings.keeps_whole = options.keeps_whole;
   return {};
 }
 
