@@ -4,6 +4,7 @@
 #include <array>
 #include <functional>
 #include <numeric>
+#include <span>
 #include <vector>
 
 #include "base/parallel.h"
