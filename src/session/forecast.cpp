@@ -184,10 +184,16 @@ Array planCells(MemoryPlan& plan, const Workload& work, Detail detail) {
 
 namespace {
 
-/// A picture of the globe: its cells, what the walk over them needs, and samples of some rows.
+/// A picture of the globe: its cells, in an outline also those of all the Earth, what the walk over them
+/// needs, and samples of some rows.
 Array planGlobePicture(MemoryPlan& plan, const Workload& work, const RenderOptions& options) {
   const auto start = plan.next();
   planCells(plan, work, marksDetail(options));
+  if (work.outlined) {
+    Workload whole = work;
+    whole.outlined = false;
+    planCells(plan, whole, Detail::measures);
+  }
   constexpr std::uint64_t walked_site = 85, lines_of_site = 220, samples_at_once = std::uint64_t{1} << 22;
   plan.take("colors and statuses", work.sites * walked_site);
   if (options.dual || (options.edges && options.antialias > 1))

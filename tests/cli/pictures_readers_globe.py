@@ -309,11 +309,12 @@ def outlined_shapes_are_cells(maps):
                     if options[0] == "--map" else "p.pdf", "--ids", "p.npy")
         cells = {site: abs(sum(signed(ring) for ring in rings)) for site, rings in rings_of("p.svg").items()}
         pixels = (np.load("p.npy") != NO_SITE).sum()
-        assert abs(sum(cells.values()) / pixels - 1) < 0.01, f"{options}: {sum(cells.values())} of {pixels} pixels"
+        # Of the cap's last row of pixels all are inside, or none is.
+        assert abs(sum(cells.values()) / pixels - 1) < 0.02, f"{options}: {sum(cells.values())} of {pixels} pixels"
         if options[1] == "equal-earth":
             with open("p.pgw", encoding="ascii") as file:
-                side = float(file.readline()) / 1000
-            found = np.array([cells.get(site, 0) for site in range(len(areas))]) * side**2
+                sides = [float(line) / 1000 for line in file][:4]
+            found = np.array([cells.get(site, 0) for site in range(len(areas))]) * sides[0] * -sides[3]
             assert np.abs(found - areas).max() < 2e-5 * areas.sum(), np.abs(found - areas).max()
 
 
