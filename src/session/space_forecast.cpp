@@ -22,14 +22,15 @@ std::uint64_t polyhedronBytes() {
 }  // namespace
 
 MemoryPlan::Array planCells(MemoryPlan& plan, const Workload& work, Detail3 detail) {
-  // Rows, sites in the order of their bins, and places, besides the cells that are written meanwhile; as
-  // measured with random sites.
-  constexpr std::uint64_t searched_site = 470, polyhedron_site = 330;
+  // Rows, sites in the order of their bins, and places, besides the cells that are written meanwhile. As
+  // measured with crystals whose cells are found by exact signs, and with random sites, whose polyhedra take
+  // more.
+  constexpr std::uint64_t searched_measures = 920, searched_polyhedra = 800;
   const bool polyhedra = detail == Detail3::polyhedra;
   const std::uint64_t cell = record_bytes + faces_of_cell * face_bytes + (polyhedra ? polyhedronBytes() : 0);
   const auto cells = plan.take("cells", work.sites * cell);
   plan.drop(
-      plan.take("the search for cells", work.sites * (searched_site + (polyhedra ? polyhedron_site : 0))));
+      plan.take("the search for cells", work.sites * (polyhedra ? searched_polyhedra : searched_measures)));
   return cells;
 }
 

@@ -54,10 +54,21 @@ std::uint64_t wholeCells(double cells) {
   return static_cast<std::uint64_t>(std::clamp(std::round(cells), 1.0, 0x1p31));
 }
 
-/// Numbers of cells of a lattice along the axes, so that each is nearly a cube: about `cells` of them.
+/// Numbers of cells of a lattice along the axes, so that each is nearly a cube: about `cells` of them. Where
+/// a side has no room for one, it has one that is flat.
 Counts nearCubes(double cells, const Sides& sides) {
-  const double along = std::cbrt(std::max(cells, 1.0));
-  return {wholeCells(along * sides[0]), wholeCells(along * sides[1]), wholeCells(along * sides[2])};
+  std::array<std::size_t, 3> axes{0, 1, 2};
+  std::ranges::sort(axes, {}, [&](std::size_t axis) { return sides[axis]; });
+  Counts counts{};
+  double left = std::max(cells, 1.0), volume = 1;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const std::size_t axis = axes[k];
+    const double per_unit = k == 0 ? std::cbrt(left) : k == 1 ? std::sqrt(left / volume) : left / volume;
+    counts[axis] = wholeCells(per_unit * sides[axis]);
+    left = std::max(1.0, left / static_cast<double>(counts[axis]));
+    volume /= sides[axis];
+  }
+  return counts;
 }
 
 /// The same for a lattice, whose cells should be cubes: rather another number of them, up to a fifth along
@@ -66,6 +77,7 @@ Counts latticeCounts(double cells, const Sides& sides) {
   const double wanted = std::cbrt(std::max(cells, 1.0)) * std::ranges::min(sides);
   constexpr double fewest = 0.8, most = 1.25, cost_of_number = 0.05;
   Counts best = nearCubes(cells, sides);
+  if (wanted < fewest) return best;
   double least = std::numeric_limits<double>::infinity();
   for (double count = std::max(1.0, std::floor(fewest * wanted)); count <= std::ceil(most * wanted);
        ++count) {
@@ -126,12 +138,15 @@ constexpr std::array<Point3, 8> of_a15 = {{{0.125, 0.125, 0.125},
                                            {0.625, 0.125, 0.375},
                                            {0.625, 0.125, 0.875}}};
 
-/// A whole number of sites fills the width; rows and layers are centered in the other two sides.
+/// A whole number of sites fills the width; rows and layers are centered in the other two sides. In a box
+/// that is too thin for such a lattice, sites are as those of `cubic`.
 void fillHcp(std::uint64_t n, const Sides& sides, Sites3& sites) {
   const double most = static_cast<double>(n);
   const double row_ratio = std::sqrt(3.0) / 2, layer_ratio = std::sqrt(6.0) / 3;
   // A site has the volume d^3 / sqrt(2).
-  const double columns = std::clamp(std::round(std::cbrt(most / std::sqrt(2.0)) * sides[0]), 1.0, most);
+  const double per_side = std::cbrt(most / std::sqrt(2.0));
+  if (per_side * std::ranges::min(sides) < 1) return fillLattice(of_cubic, n, sides, sites);
+  const double columns = std::round(per_side * sides[0]);
   const double spacing = sides[0] / columns;
   const double rows_per_side = std::max(1.0, sides[1] / spacing / row_ratio),
                layers_per_side = std::max(1.0, sides[2] / spacing / layer_ratio);

@@ -49,6 +49,15 @@ measures 70 "cpu, weights, measures" cells --backend cpu --sites random:$n --ran
 measures 70 "cpu, the globe" cells --backend cpu --globe --sites random:$n -o out/cells.npz
 measures 70 "cpu, the globe, measures" cells --backend cpu --globe --sites random:$n
 measures 70 "cpu, the globe, weights" cells --backend cpu --globe --sites random:$n --random-weights 0,100 -o out/cells.npz
+# Of crystals and clusters cells have fewer faces.
+measures 60 "space, measures" cells --dim 3 --sites random:$n
+measures 70 "space, everything" cells --dim 3 --sites random:$n -o out/cells.npz
+measures 50 "space, clusters" cells --dim 3 --sites clusters:$n -o out/cells.npz
+measures 40 "space, a crystal" cells --sites bcc:$n -o out/cells.npz
+measures 60 "space, a crystal, measures" cells --sites hcp:20000
+measures 60 "space, checked" cells --dim 3 --sites random:$n --check --detail measures -o out/cells.npz
+ln -s /dev/null out/cells.vtu
+measures 70 "space, .vtu" cells --dim 3 --sites random:$n -o out/cells.vtu
 measures 70 "cpu, periodic" cells --backend cpu --sites random:$n --periodic xy -o out/cells.npz
 echo 'POLYGON ((0 0, 1 0, 1 1, 0.5 0.98, 0 1, 0 0))' >in/outline.wkt
 measures 70 "cpu, an outline" cells --backend cpu --sites random:$n --domain in/outline.wkt -o out/cells.npz

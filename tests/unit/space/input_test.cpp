@@ -78,12 +78,13 @@ bool isWithin(const Point3& p, const Box3& box) {
 }
 
 TEST(PatternsInSpace, LieInTheirBoxAndDiffer) {
-  const Box3 boxes[] = {unit, {-1, 5, 0, 1, 6, 3}, {0, 0, 0, 100, 1, 1}};
+  const Box3 boxes[] = {unit, {-1, 5, 0, 1, 6, 3}, {0, 0, 0, 100, 1, 1}, {0, 0, 0, 1e6, 1, 1}, {0, 0, 0, 1, 3e5, 2e5}};
   for (const Pattern3 pattern : all) {
     for (const Box3& box : boxes) {
       for (const std::uint64_t n : {1u, 2u, 10u, 1000u}) {
         const Sites3 sites = generate(pattern, n, 3, box);
         ASSERT_FALSE(sites.empty());
+        EXPECT_LE(sites.size(), 2 * n + 8);  // a cell of a crystal has up to 8
         EXPECT_TRUE(std::ranges::all_of(sites, [&](const Point3& p) { return isWithin(p, box); }));
         EXPECT_EQ(std::set<Point3>(sites.begin(), sites.end()).size(), sites.size());
         EXPECT_EQ(sites, generate(pattern, n, 3, box));
