@@ -80,8 +80,7 @@ SharedCells3 cellsInSpace(SharedSession& session, const SharedSites3& sites,
 }
 
 std::vector<std::string> brokenInSpace(const SharedCells3& result, int threads) {
-  using Lines = std::vector<std::string>;
-  return valueOf(watched<Lines>(py::none(), [result, threads](Watch&) {
+  return valueOf(watched<std::vector<std::string>>(py::none(), [result, threads](Watch&) {
     return check(result->sites->sites, Cells3Options{result->domain, result->detail, {}}, result->diagram,
                  threads);
   }));
