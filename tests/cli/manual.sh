@@ -186,7 +186,7 @@ for shell in bash fish; do
   offers "vorpipe diff " b.NPY c.png folder
   offers "vorpipe cells --domain " e.geojson f.json folder hull
   offers "vorpipe cells --weights=" a.csv b.NPY folder
-  offers "vorpipe cells --sites a" a.csv
+  offers "vorpipe cells --sites a." a.csv
   offers "vorpipe cells -o d" d.doc
 done
 
@@ -233,7 +233,7 @@ vorpipe cells --backend=op|vorpipe cells --backend=opengl
 vorpipe render --color n|vorpipe render --color neighbors
 vorpipe compare --backends cpu,op|vorpipe compare --backends cpu,opengl,
 vorpipe cells --sites ran|vorpipe cells --sites random:
-vorpipe cells --sites a|vorpipe cells --sites a.csv
+vorpipe cells --sites a.|vorpipe cells --sites a.csv
 vorpipe cells --domain e|vorpipe cells --domain e.geojson
 vorpipe bench th|vorpipe bench thesis
 END
