@@ -68,8 +68,6 @@ set(vorpipe_alone
     cells/bisectors.cpp
     sites/site_set.cpp
     sites/weights.cpp
-    space/contraction_test.cpp
-    space/polyhedra_test.cpp
     stages.cpp
     svg_picture.cpp
     thesis.cpp
