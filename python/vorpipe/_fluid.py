@@ -44,6 +44,8 @@ class Fluid:
         scheme: "projection", for domains that are full; or "springs", which has free surfaces. None: the first, but for
             those.
         viscosity: kinematic, area per time; None: 0.
+        centering: the rate, per time, at which points also move to the centroids of their cells, by projection;
+            None: 0.
         walls: "slip", along which a viscous fluid slides, or "no-slip", to which it sticks; None: "slip".
         step: of time; None or 0: as long as speeds and springs allow.
         epsilon: a time, in 2 pi of which springs swing; None: 2 spacings over the largest first speed or half of that
@@ -63,6 +65,7 @@ class Fluid:
                  periodic: Union[None, bool, str] = None, surface: Optional[str] = None,
                  particles: Optional[int] = None, gravity: Optional[Sequence[float]] = None,
                  scheme: Optional[str] = None, viscosity: Optional[float] = None, walls: Optional[str] = None,
+                 centering: Optional[float] = None,
                  step: Optional[float] = None, epsilon: Optional[float] = None, until: Optional[float] = None,
                  tolerance: Optional[float] = None, diagrams: Optional[int] = None, search: str = 'grid',
                  backend: str = 'auto', device: Union[None, int, str] = None, threads: Optional[int] = None,
@@ -83,7 +86,7 @@ class Fluid:
                                            _arguments.positive_of('densities', densities, count))
         found, neighbors = _arguments.search_of(search)
         named = {'scheme': scheme, 'step': step, 'epsilon': epsilon, 'until': until, 'tolerance': tolerance,
-                 'gravity': gravity, 'viscosity': viscosity, 'walls': walls}
+                 'gravity': gravity, 'viscosity': viscosity, 'walls': walls, 'centering': centering}
         options = _arguments.options_of(_vorpipe.FLUID, {k: v for k, v in named.items() if v is not None})
         most = None if diagrams is None else _arguments.iterations_of(diagrams, 'diagrams')
         setup.choose(options, most, found, neighbors)
@@ -215,6 +218,11 @@ class Fluid:
     def viscosity(self) -> float:
         """Kinematic, area per time."""
         return self._fluid.viscosity
+
+    @property
+    def centering(self) -> float:
+        """The rate, per time, at which points also move to the centroids of their cells, by projection."""
+        return self._fluid.centering
 
     @property
     def walls(self) -> str:

@@ -33,6 +33,7 @@ Result<void> takeOptions(const vorpipe_fluid_options& wanted, FluidOptions& opti
   if (wanted.tolerance != 0) options.tolerance = wanted.tolerance;
   if (wanted.diagrams != 0) options.diagrams = wanted.diagrams;
   if (wanted.viscosity != 0) options.viscosity = wanted.viscosity;
+  if (wanted.centering != 0) options.centering = wanted.centering;
   const std::array walls{options.walls, FluidWalls::slip, FluidWalls::no_slip};
   VORPIPE_LET(at_walls, chosen(walls, wanted.walls, "walls"));
   options.walls = at_walls;

@@ -812,6 +812,7 @@ typedef struct vorpipe_fluid_options {
   void* progress_user;
   double viscosity; /* kinematic, area per time; 0: as a case or a file has it, else none */
   vorpipe_fluid_walls walls;
+  double centering; /* rate, per time, at which sites move to their centroids by projection; 0: likewise */
 } vorpipe_fluid_options;
 
 /* What a step has come to. */

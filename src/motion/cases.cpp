@@ -121,6 +121,7 @@ void setRayleighTaylor(FluidSetup& setup, std::uint64_t parcels) {
   setup.options.domain = {0, 0, 1, 2};
   setup.options.gravity = {0, -1};
   setup.options.viscosity = 0.001;
+  setup.options.centering = 2;
   setup.options.until = 3.5;
   setup.options.known = FluidCase::rayleigh_taylor;
   setup.state.sites = squaresIn(setup.options.domain, parcels);

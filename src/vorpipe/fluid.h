@@ -56,6 +56,10 @@ struct FluidOptions {
   FluidScheme scheme = FluidScheme::automatic;
   double viscosity = 0;  ///< kinematic: area per time
   FluidWalls walls = FluidWalls::slip;
+  /// With FluidScheme::projection: per time, the part of its way to the centroid of its cell that a site
+  /// moves besides. Parcels keep their velocities. 0: sites move as the fluid does, and may leave their
+  /// cells.
+  double centering = 0;
   /// The flow that this is, with the sites and velocities that it begins with. Then the error of velocities
   /// is known where exactVelocity() is.
   std::optional<FluidCase> known;

@@ -45,6 +45,16 @@ def test_viscosity_takes_energy_as_theory_says():
     assert wave.run(steps=1).velocity_error is None
 
 
+def test_centering_keeps_points_in_their_cells(tmp_path):
+    loose = vorpipe.Fluid('taylor-green', particles=256, until=1.5)
+    held = vorpipe.Fluid('taylor-green', particles=256, until=1.5, centering=2)
+    assert loose.centering == 0 and held.centering == 2
+    assert vorpipe.Fluid('rayleigh-taylor', particles=64).centering > 0
+    assert held.run().farthest < 0.7 * loose.run().farthest and held.last.worst <= 1e-6
+    held.save(tmp_path / 'held.npz')
+    assert vorpipe.Fluid(tmp_path / 'held.npz').centering == 2
+
+
 def test_walls_are_outlines(tmp_path):
     ring = np.array([(0, 0), (2, 0), (2, 1), (0, 1)])
     hole = np.array([(0.8, 0.4), (0.8, 0.6), (1.2, 0.5)])
@@ -171,7 +181,7 @@ def test_wrong_arguments_are_refused_by_name():
                              ('scheme', {'scheme': 'sph'}), ('gravity', {'gravity': 9.81}), ('step', {'step': -1}),
                              ('epsilon', {'epsilon': np.nan}), ('until', {'until': np.nan}),
                              ('tolerance', {'tolerance': 0}), ('volume', {'surface': 'free'}),
-                             ('viscosity', {'viscosity': -1}), ('walls', {'walls': 'glue'}),
+                             ('viscosity', {'viscosity': -1}), ('centering', {'centering': -1}), ('walls', {'walls': 'glue'}),
                              ('walls', {'walls': 'no-slip'}), ('domain', {'domain': [(0, 0), (1, 1)]}),
                              ('particles', {'particles': 10}),
                              ('scheme', {'surface': 'free', 'scheme': 'projection'})):

@@ -240,6 +240,7 @@ Result<void> writeFiles(const FluidCommand& command, CommandRun& run, const Flui
     json["fluid"] = {{"scheme", nameOf(schemeOf(options))},
                      {"viscosity", options.viscosity},
                      {"walls", nameOf(options.walls)},
+                     {"centering", options.centering},
                      {"epsilon", epsilon},
                      {"end", endWordOf(outcome.end)},
                      {"step", {first.step, last.step}},
