@@ -269,6 +269,9 @@ void defineFlowing(py::module_& module) {
       .def("save", &saveFluid, py::arg("path"));
   module.def("begin_fluid", &FluidRun::begin, py::arg("session"), py::arg("setup"), py::arg("progress"));
   module.def("fluid_cases", &fluidCaseNames);
+  module.def("usual_particles", [](const std::string& name) {
+    return usualParcels(fluidCaseOf(name).value_or(FluidCase::taylor_green));
+  });
 }
 
 }  // namespace vorpipe::python

@@ -39,7 +39,7 @@ class Fluid:
         domain, periodic, repair: as in `cells`; an outline is walls of any shape, with holes as obstacles. A case takes
             one, in which it begins; nothing else of these.
         surface: "free" where air is around the cells.
-        particles: about how many cells a case has; None: 2048.
+        particles: about how many cells a case has; None: 2048, and 8192 of "rayleigh-taylor".
         gravity: (x, y); None: none.
         scheme: "projection", for domains that are full; or "springs", which has free surfaces. None: the first, but for
             those.
@@ -73,8 +73,7 @@ class Fluid:
         arrays = {'velocities': velocities, 'volumes': volumes, 'densities': densities, 'weights': weights,
                   'domain': domain, 'periodic': periodic, 'surface': surface}
         if isinstance(begin, (str, os.PathLike)):
-            setup = _named(begin, particles, arrays, repair)
-            count = 2048 if particles is None else int(particles)
+            setup, count = _named(begin, particles, arrays, repair)
         else:
             if particles is not None:
                 raise _scalars.refuse('particles', 'is for cases; points are as many as there are')
@@ -261,8 +260,9 @@ class Fluid:
         self._fluid.save(_scalars.path_of(path))
 
 
-def _named(begin: Named, particles: Optional[int], arrays: Any, repair: bool) -> _vorpipe.FluidSetup:
-    """Of a case or a file, which have all arrays themselves; a case may have another outline."""
+def _named(begin: Named, particles: Optional[int], arrays: Any,
+           repair: bool) -> Tuple[_vorpipe.FluidSetup, int]:
+    """Of a case or a file, which have all arrays themselves, and about how many cells; a case may have another outline."""
     path = _scalars.path_of(begin, 'begin')
     name = os.fsdecode(path)
     is_case = name in _vorpipe.fluid_cases()
@@ -272,6 +272,6 @@ def _named(begin: Named, particles: Optional[int], arrays: Any, repair: bool) ->
             raise _scalars.refuse(argument, f'{name} has its own')
     if particles is not None and not is_case:
         raise _scalars.refuse('particles', f'is for cases; {name} has as many as it has')
-    count = 2048 if particles is None else _scalars.whole_of('particles', particles, 4, what='is no number of at least 4')
+    count = _vorpipe.usual_particles(name) if particles is None else _scalars.whole_of('particles', particles, 4, what='is no number of at least 4')
     outline = None if domain is None else _arguments.outline_of(domain)
-    return _vorpipe.FluidSetup.named(path, count, outline, _scalars.flag_of('repair', repair))
+    return _vorpipe.FluidSetup.named(path, count, outline, _scalars.flag_of('repair', repair)), count

@@ -173,6 +173,9 @@ struct FluidSetup {
   FluidOptions options;
 };
 
+/// The number of parcels with which a case shows what it is for.
+std::uint64_t usualParcels(FluidCase which);
+
 /// Sets up a flow with about `parcels` parcels, at least 4.
 FluidSetup fluidCase(FluidCase which, std::uint64_t parcels);
 /// The same inside of an outline, which lies in the case's domain: those parcels of the case, in greater

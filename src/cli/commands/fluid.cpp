@@ -85,7 +85,7 @@ Result<void> forecastCase(const FluidCommand& command) {
   FluidOptions options = fluidCase(*which, 64).options;
   takeGiven(choices, options);
   Workload work;
-  work.sites = choices.particles;
+  work.sites = choices.particles.value_or(usualParcels(*which));
   work.periodic = options.periodic != Periodic::none;
   return allowed(command, peakOf(command, work, bytesOf(options), options.domain)).map([](std::uint64_t) {});
 }
