@@ -262,7 +262,7 @@ class Fluid:
 
 def _named(begin: Named, particles: Optional[int], arrays: Any,
            repair: bool) -> Tuple[_vorpipe.FluidSetup, int]:
-    """Of a case or a file, which have all arrays themselves, and about how many cells; a case may have another outline."""
+    """A case or a file, which have all arrays themselves, and about how many cells; a case may have another outline."""
     path = _scalars.path_of(begin, 'begin')
     name = os.fsdecode(path)
     is_case = name in _vorpipe.fluid_cases()
@@ -272,6 +272,7 @@ def _named(begin: Named, particles: Optional[int], arrays: Any,
             raise _scalars.refuse(argument, f'{name} has its own')
     if particles is not None and not is_case:
         raise _scalars.refuse('particles', f'is for cases; {name} has as many as it has')
-    count = _vorpipe.usual_particles(name) if particles is None else _scalars.whole_of('particles', particles, 4, what='is no number of at least 4')
+    count = _vorpipe.usual_particles(name) if particles is None else _scalars.whole_of(
+        'particles', particles, 4, what='is no number of at least 4')
     outline = None if domain is None else _arguments.outline_of(domain)
     return _vorpipe.FluidSetup.named(path, count, outline, _scalars.flag_of('repair', repair)), count
