@@ -246,6 +246,18 @@ inline constexpr std::tuple fluid_rows{
     ChoiceRow<FluidOptions, FluidWalls>{"walls", &FluidOptions::walls, "NAME",
                                         "slip, along which a viscous fluid slides; or no-slip, to which it "
                                         "sticks [as the case has it, or {}]"},
+    NumberRow<FluidOptions, double>{
+        "centering",
+        &FluidOptions::centering,
+        0,
+        without_end,
+        0,
+        {},
+        "",
+        "RATE",
+        "by projection: sites also move to the centroids of their cells, at this rate, per time; cells keep "
+        "their velocities [as the case has it, or {2}]",
+        "a number of 0 or more"},
     PointRow<FluidOptions>{"gravity", &FluidOptions::gravity, "GX,GY", "acceleration [as the case has it]"},
     fluidRow("tolerance", &FluidOptions::tolerance, "T",
              "no area differs from its own by more than this part of it [{2}]")};

@@ -843,6 +843,7 @@ typedef struct vorpipe_fluid_options {
   void* progress_user;
   double viscosity; /* kinematic, area per time; 0: as a case or a file has it, else none */
   vorpipe_fluid_walls walls;
+  double centering; /* rate, per time, at which sites move to their centroids by projection; 0: likewise */
 } vorpipe_fluid_options;
 
 /* What a step has come to. */
@@ -874,7 +875,7 @@ typedef struct vorpipe_fluid vorpipe_fluid;
  * A free surface asks for volumes. `options` may be NULL. */
 VORPIPE_API vorpipe_code vorpipe_fluid_begin(vorpipe_session* session, const vorpipe_input* input,
                                              const vorpipe_fluid_options* options, vorpipe_fluid** fluid);
-/* A case of VORPIPE_FLUID_CASES with about `parcels` cells, 0: 2048; or an .npz file, of which
+/* A case of VORPIPE_FLUID_CASES with about `parcels` cells, 0: its usual number; or an .npz file, of which
  * vorpipe_fluid_save and `vorpipe fluid --checkpoint` write the kind. Options that are not zero replace those
  * that it has. */
 VORPIPE_API vorpipe_code vorpipe_fluid_read(vorpipe_session* session, const char* name, uint64_t parcels,
