@@ -29,7 +29,7 @@ using Pair = std::pair<std::size_t, std::size_t>;
 ExactPoint onSphere(const Direction& d) {
   const std::array at{d.x, d.y, d.z};
   std::size_t most = 0;
-  for (const std::size_t k : {1, 2}) most = std::abs(at[k]) > std::abs(at[most]) ? k : most;
+  for (const std::size_t k : {1U, 2U}) most = std::abs(at[k]) > std::abs(at[most]) ? k : most;
   const std::size_t next = (most + 1) % 3, last = (most + 2) % 3;
   // From the plane at right angles to the largest coordinate (stereographic).
   const Number u = at[next] / (1 + std::abs(at[most])), v = at[last] / (1 + std::abs(at[most]));
