@@ -35,6 +35,7 @@ WINDOW = 'it opens a window; the test view plays the like of it'
 NOT_RUN = {
     './run fluid --case rayleigh-taylor --frames mushroom-frames --every 4 --antialias 2 --size 200x400':
         'it takes a minute; the test docs_gallery does, with fewer pictures',
+    'xvfb-run python3 docs/examples/foam.py foam.vtu foam.png': 'it needs VTK',
     'python3 docs/examples/film.py mushroom-frames mushroom.gif': 'it needs Pillow; docs/gallery.sh does where that is',
     'python3 tests/faults/campaign.py build/dev/src/cli/vorpipe --moments 200': 'it takes an hour; the test faults does',
     'python3 tests/faults/memory.py build/dev/src/cli/vorpipe build/dev/tests/faults/librefusals.so --moments 200':
