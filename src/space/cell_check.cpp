@@ -1,6 +1,7 @@
 #include "space/cell_check.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstring>
 #include <limits>
@@ -49,12 +50,15 @@ class SmallIndex {
 
 }  // namespace
 
-CellCheck::CellCheck(const Places& places, const Rows& rows)
+CellCheck::CellCheck(const Places& places, const Rows& rows, bool moments)
     : places_(places),
       rows_(rows),
       find_corners_(findCorners()),
       tie_wall_(std::min({places.box.xmax - places.box.xmin, places.box.ymax - places.box.ymin,
-                          places.box.zmax - places.box.zmin})) {}
+                          places.box.zmax - places.box.zmin})) {
+  job_.measure = true;
+  job_.moments = moments;
+}
 
 void CellCheck::reserve(std::size_t faces, std::size_t edge_ends) {
   const std::size_t vertices = edge_ends / 3, edges = edge_ends / 2;
@@ -281,7 +285,6 @@ Verdict CellCheck::check(Label site) {
     return verdict;
   }
   job_.tie = 1.01e-6;
-  job_.measure = true;
   find_corners_(job_);
   verdict.tied = job_.tied;
   verdict.unsure = job_.unsure;
@@ -293,6 +296,8 @@ Verdict CellCheck::check(Label site) {
 CellMeasures CellCheck::measures() const {
   return {job_.volume, job_.surface, {job_.centroid[0], job_.centroid[1], job_.centroid[2]}};
 }
+
+std::array<double, 6> CellCheck::secondMoments() const { return std::to_array(job_.second_moments); }
 
 double CellCheck::faceArea(std::size_t face) const {
   const double squared = nx_[face] * nx_[face] + ny_[face] * ny_[face] + nz_[face] * nz_[face];

@@ -34,7 +34,8 @@ struct Verdict {
 /// Checks cells one after another; one for each thread.
 class CellCheck {
  public:
-  CellCheck(const Places& places, const Rows& rows);
+  /// `moments`: whether secondMoments() are wanted.
+  CellCheck(const Places& places, const Rows& rows, bool moments = false);
 
   /// Checks the cell of a site that has a row. Signs of a vertex or edge that double does not prove are left
   /// to the least of its sites.
@@ -43,6 +44,8 @@ class CellCheck {
   // Of the last cell, if it is not broken and not unsure.
   [[nodiscard]] CellMeasures measures() const;
   [[nodiscard]] double faceArea(std::size_t face) const;
+  /// About the centroid: xx, yy, zz, yz, xz, xy.
+  [[nodiscard]] std::array<double, 6> secondMoments() const;
 
  private:
   bool takeRow();

@@ -21,7 +21,8 @@ class RecordWriter {
   void write() {
     prepare();
     countFaces();
-    std::vector<std::uint8_t> careful(cells_.rows.size(), detail_ == Detail3::polyhedra ? 1 : 0);
+    const bool moments = detail_ == Detail3::polyhedra, all = moments && cells_.moments.empty();
+    std::vector<std::uint8_t> careful(cells_.rows.size(), all ? 1 : 0);
     std::vector<std::uint8_t> unmeasured(cells_.rows.size(), 0);
     for (const auto site : cells_.careful) careful[site] = unmeasured[site] = 1;
     parallelFor(cells_.rows.size(), cells_in_batch, threads_, [&](std::size_t begin, std::size_t end) {
@@ -35,7 +36,7 @@ class RecordWriter {
         if (careful[i] != 0) measures.measure(static_cast<Label>(i), row);
         writeCell(i, order, unmeasured[i] != 0 ? measures.measures() : cells_.measures[i],
                   unmeasured[i] != 0 ? measures.areas() : cells_.face_areas[i]);
-        if (detail_ == Detail3::polyhedra) writeMoments(i, measures.secondMoments());
+        if (moments) writeMoments(i, careful[i] != 0 ? measures.secondMoments() : cells_.moments[i]);
       }
     });
   }

@@ -1,6 +1,7 @@
 /// From cells that are proved to what is shown: a Diagram3.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -26,6 +27,8 @@ struct ProvedCells {
   /// Of cells without `careful`. Areas are by face.
   std::span<const CellMeasures> measures;
   std::span<const std::vector<double>> face_areas;
+  /// Second moments likewise. None: they are computed where they are wanted.
+  std::span<const std::array<double, 6>> moments;
   /// Those whose cells are not measured yet, ascending.
   std::span<const std::uint32_t> careful;
 

@@ -21,9 +21,16 @@ void sortUnique(SiteList& sites) {
   sites.erase(std::ranges::unique(sites).begin(), sites.end());
 }
 
+bool isOutside(const Places& places, std::size_t site) {
+  const Point3& p = places.sites[site];
+  const Box3& box = places.box;
+  return p.x < box.xmin || p.x > box.xmax || p.y < box.ymin || p.y > box.ymax || p.z < box.zmin ||
+         p.z > box.zmax;
+}
+
 class Certifier {
  public:
-  Certifier(const SiteBins& bins, int threads)
+  Certifier(const SiteBins& bins, bool moments, int threads)
       : bins_(bins),
         places_(bins.places()),
         threads_(threads),
@@ -32,6 +39,7 @@ class Certifier {
         careful_(bins.sites.size(), 0),
         exact_(bins.sites.size(), 0) {
     found_.face_areas.resize(bins.sites.size());
+    if (moments) found_.moments.resize(bins.sites.size());
   }
 
   Result<CertifiedRows> run(const Progress& progress) {
@@ -157,7 +165,8 @@ class Certifier {
   void check(const SiteList& which) {
     const std::size_t grain = std::clamp<std::size_t>(which.size() / 16, 1, 4096);
     parallelFor(which.size(), grain, threads_, [&](std::size_t begin, std::size_t end) {
-      CellCheck cell_check(places_, found_.rows);
+      const bool moments = !found_.moments.empty();
+      CellCheck cell_check(places_, found_.rows, moments);
       SiteList disputed;
       for (std::size_t k = begin; k < end; ++k) {
         const std::uint32_t site = which[k];
@@ -174,8 +183,9 @@ class Certifier {
           continue;
         }
         tied_[site] = verdict.tied ? 1 : 0;
-        careful_[site] = verdict.unsure ? 1 : 0;
+        careful_[site] = verdict.unsure || isOutside(places_, site) ? 1 : 0;
         found_.measures[site] = cell_check.measures();
+        if (moments) found_.moments[site] = cell_check.secondMoments();
         auto& areas = found_.face_areas[site];
         areas.resize(found_.rows[site].faces);
         for (std::size_t f = 0; f < areas.size(); ++f) areas[f] = cell_check.faceArea(f);
@@ -225,19 +235,14 @@ std::size_t cellsOfCorner(const Rows& rows) {
 }
 
 bool forgetsSite(const Places& places, const Rows& rows, std::span<const std::uint8_t> exact) {
-  const Box3& box = places.box;
   for (std::size_t site = 0; site < rows.size(); ++site) {
-    if (rows[site].faces != 0) continue;
-    const Point3& p = places.sites[site];
-    const bool outside = p.x < box.xmin || p.x > box.xmax || p.y < box.ymin || p.y > box.ymax ||
-                         p.z < box.zmin || p.z > box.zmax;
-    if (exact[site] == 0 || !outside) return true;
+    if (rows[site].faces == 0 && (exact[site] == 0 || !isOutside(places, site))) return true;
   }
   return false;
 }
 
-Result<CertifiedRows> certify(const SiteBins& bins, const Progress& progress, int threads) {
-  return Certifier(bins, threads).run(progress);
+Result<CertifiedRows> certify(const SiteBins& bins, bool moments, const Progress& progress, int threads) {
+  return Certifier(bins, moments, threads).run(progress);
 }
 
 }  // namespace vorpipe::space

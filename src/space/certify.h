@@ -2,6 +2,7 @@
 /// proved.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <vector>
 
@@ -16,6 +17,7 @@ struct CertifiedRows {
   explicit CertifiedRows(std::size_t sites) : rows(sites), measures(sites) {}
   Rows rows;                                    ///< no faces: the site has no cell
   std::vector<CellMeasures> measures;           ///< by site; not of those in `careful`
+  std::vector<std::array<double, 6>> moments;   ///< second moments, by site; likewise. Empty unless asked for
   std::vector<std::vector<double>> face_areas;  ///< by site, by face; likewise
   std::vector<std::uint32_t> tied;              ///< sites whose cells may have ties, ascending
   std::vector<std::uint32_t>
@@ -33,6 +35,6 @@ bool forgetsSite(const Places& places, const Rows& rows, std::span<const std::ui
 
 /// Errors: progress asked to stop (cancelled); cells that remain in dispute, which is a fault of vorpipe
 /// (device).
-Result<CertifiedRows> certify(const SiteBins& bins, const Progress& progress, int threads);
+Result<CertifiedRows> certify(const SiteBins& bins, bool moments, const Progress& progress, int threads);
 
 }  // namespace vorpipe::space

@@ -73,9 +73,28 @@ void placeVertices(CornerJob& job, std::size_t v, std::size_t count) {
   }
 }
 
+/// Adds 20 times the second moments about the site of tetrahedra of the site, a foot, and edges: t is six
+/// times their volumes.
+inline void addMoments(const Reals& t, const Vectors& foot, const Vectors& u, const Vectors& w,
+                       Reals (&sum)[6]) {
+  const Vectors all{foot.x + u.x + w.x, foot.y + u.y + w.y, foot.z + u.z + w.z};
+  sum[0] += t * (all.x * all.x + (foot.x * foot.x + (u.x * u.x + w.x * w.x)));
+  sum[1] += t * (all.y * all.y + (foot.y * foot.y + (u.y * u.y + w.y * w.y)));
+  sum[2] += t * (all.z * all.z + (foot.z * foot.z + (u.z * u.z + w.z * w.z)));
+  sum[3] += t * (all.y * all.z + (foot.y * foot.z + (u.y * u.z + w.y * w.z)));
+  sum[4] += t * (all.x * all.z + (foot.x * foot.z + (u.x * u.z + w.x * w.z)));
+  sum[5] += t * (all.x * all.y + (foot.x * foot.y + (u.x * u.y + w.x * w.y)));
+}
+
+/// What is summed over edges.
+struct Sums {
+  Vectors first{};
+  Reals second[6]{};
+};
+
 /// The edges e .. e + 7. Adds what the measures take.
 void proveEdges(CornerJob& job, std::size_t e, std::size_t count, double* area_a, double* area_b,
-                Vectors& moment) {
+                Sums& sums) {
   const Vectors a = gather(job, job.a + e), b = gather(job, job.b + e);
   const Vectors u{gather(job.x, job.from + e), gather(job.y, job.from + e), gather(job.z, job.from + e)};
   const Vectors w{gather(job.x, job.to + e), gather(job.y, job.to + e), gather(job.z, job.to + e)};
@@ -98,11 +117,15 @@ void proveEdges(CornerJob& job, std::size_t e, std::size_t count, double* area_a
   store(area_b, on_b);
   // Tetrahedra of the site, the foot of each face's plane, and the edge: it runs counter-clockwise around b.
   const Reals ga = gather(job.h, job.a + e) / dot(a, a), gb = gather(job.h, job.b + e) / dot(b, b);
-  Reals both = gb * on_b - ga * on_a;
-  for (std::size_t k = count; k < lanes; ++k) both[k] = 0;
-  moment.x += both * (u.x + w.x);
-  moment.y += both * (u.y + w.y);
-  moment.z += both * (u.z + w.z);
+  Reals on_side_a = -ga * on_a, on_side_b = gb * on_b;
+  for (std::size_t k = count; k < lanes; ++k) on_side_a[k] = on_side_b[k] = 0;
+  const Reals both = on_side_a + on_side_b;
+  sums.first.x += both * (u.x + w.x);
+  sums.first.y += both * (u.y + w.y);
+  sums.first.z += both * (u.z + w.z);
+  if (!job.moments) return;
+  addMoments(on_side_a, {ga * a.x, ga * a.y, ga * a.z}, u, w, sums.second);
+  addMoments(on_side_b, {gb * b.x, gb * b.y, gb * b.z}, u, w, sums.second);
 }
 
 inline double sum(const Reals& all) {
@@ -117,12 +140,12 @@ void VORPIPE_LANES_FUNCTION(CornerJob& job) {
   for (std::size_t v = 0; v < job.vertices; v += lanes) {
     placeVertices(job, v, job.vertices - v < lanes ? job.vertices - v : lanes);
   }
-  Vectors moments{};
+  Sums sums;
   for (std::size_t f = 0; f < job.faces; ++f) job.twice_area[f] = 0;
   for (std::size_t e = 0; e < job.edges; e += lanes) {
     const std::size_t count = job.edges - e < lanes ? job.edges - e : lanes;
     double area_a[lanes], area_b[lanes];
-    proveEdges(job, e, count, area_a, area_b, moments);
+    proveEdges(job, e, count, area_a, area_b, sums);
     if (!job.measure) continue;
     for (std::size_t k = 0; k < count; ++k) {
       job.twice_area[job.a[e + k]] -= area_a[k];
@@ -130,7 +153,7 @@ void VORPIPE_LANES_FUNCTION(CornerJob& job) {
     }
   }
   if (!job.measure) return;
-  double volume = 0, surface = 0, moment[3] = {sum(moments.x), sum(moments.y), sum(moments.z)};
+  double volume = 0, surface = 0, moment[3] = {sum(sums.first.x), sum(sums.first.y), sum(sums.first.z)};
   for (std::size_t f = 0; f < job.faces; ++f) {
     const double squared = job.nx[f] * job.nx[f] + job.ny[f] * job.ny[f] + job.nz[f] * job.nz[f];
     const double foot = job.h[f] / squared, six_volumes = foot * job.twice_area[f];
@@ -143,6 +166,12 @@ void VORPIPE_LANES_FUNCTION(CornerJob& job) {
   job.volume = volume / 6;
   job.surface = surface / 2;
   for (std::size_t k = 0; k < 3; ++k) job.centroid[k] = moment[k] / (4 * volume);
+  if (!job.moments) return;
+  constexpr std::size_t first[6] = {0, 1, 2, 1, 0, 0}, second[6] = {0, 1, 2, 2, 2, 1};
+  for (std::size_t k = 0; k < 6; ++k) {
+    job.second_moments[k] =
+        sum(sums.second[k]) / 120 - job.volume * job.centroid[first[k]] * job.centroid[second[k]];
+  }
 }
 
 }  // namespace vorpipe::space

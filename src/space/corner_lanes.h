@@ -18,17 +18,19 @@ struct CornerJob {
   const std::int32_t *a, *b, *from, *to;  ///< by edge: its faces and vertices
   double tie;                             ///< edges of this part of the least distance are ties
   bool measure;                           ///< whether to compute what is marked so
+  bool moments;                           ///< whether to compute second moments, too
 
   // What is found.
-  double *x, *y, *z;       ///< by vertex: its place
-  double* error;           ///< by vertex: no less than that of its place, with the rounding of a difference
-  std::uint8_t* turned;    ///< by vertex: 0 if its orientation is proved to be positive
-  std::uint8_t* unproved;  ///< by edge: 0 if its length is proved to be positive
-  bool unsure;             ///< some vertex is turned, or too badly conditioned for measures
-  bool tied;               ///< some edge may be a tie
-  double* twice_area;      ///< measured, by face: twice its area, times the length of n
-  double volume, surface;  ///< measured
-  double centroid[3];      ///< measured
+  double *x, *y, *z;         ///< by vertex: its place
+  double* error;             ///< by vertex: no less than that of its place, with the rounding of a difference
+  std::uint8_t* turned;      ///< by vertex: 0 if its orientation is proved to be positive
+  std::uint8_t* unproved;    ///< by edge: 0 if its length is proved to be positive
+  bool unsure;               ///< some vertex is turned, or too badly conditioned for measures
+  bool tied;                 ///< some edge may be a tie
+  double* twice_area;        ///< measured, by face: twice its area, times the length of n
+  double volume, surface;    ///< measured
+  double second_moments[6];  ///< measured with moments, about the centroid: xx, yy, zz, yz, xz, xy
+  double centroid[3];        ///< measured
 };
 
 /// Where a vertex is worse conditioned, its place is not good enough for measures, and its edges are not
