@@ -314,7 +314,11 @@ def sites_in_space(points: Any) -> Optional[_vorpipe.SpaceSites]:
     shape = np.shape(points)
     if len(shape) != 2 or shape[1] != 3:
         return None
-    return _vorpipe.space_sites(np.ascontiguousarray(_arguments.numbers('points', points)))
+    array = np.ascontiguousarray(_arguments.numbers('points', points))
+    wrong = np.flatnonzero(~np.isfinite(array).all(axis=1))
+    if len(wrong):
+        raise _scalars.refuse('points', f'point {wrong[0]} is not finite: {tuple(array[wrong[0]].tolist())}')
+    return _vorpipe.space_sites(array)
 
 
 def cells_in_space(session: _vorpipe.Session, sites: _vorpipe.SpaceSites, weights: Any, domain: Any,

@@ -157,7 +157,8 @@ def test_points_of_files(tmp_path):
     assert again.points.tolist() == sites.points.tolist()
     np.save(tmp_path / 'a.npy', np.arange(12.0).reshape(4, 3) ** 2)
     assert len(vorpipe.read(tmp_path / 'a.npy', dim=3)) == 4
-    plane = vorpipe.cells(tmp_path / 'a.npy')
+    with pytest.warns(vorpipe.InputWarning, match='taken as weights'):
+        plane = vorpipe.cells(tmp_path / 'a.npy')
     assert isinstance(plane, vorpipe.Diagram) and plane.weights is not None
 
 
