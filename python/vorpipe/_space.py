@@ -307,10 +307,12 @@ def sites_in_space(points: Any) -> Optional[_vorpipe.SpaceSites]:
     if isinstance(points, (str, os.PathLike, Mapping, Kept)) or hasattr(points, 'columns') or hasattr(
             points, '__geo_interface__'):
         return None
-    if not isinstance(points, np.ndarray):
-        first = points[0] if isinstance(points, (list, tuple)) and points else points
-        if not hasattr(points, '__array__') and not (isinstance(first, (list, tuple, np.ndarray)) and len(first) == 3):
+    # What is said of points is a tuple, too, of a type of its own.
+    if type(points) in (list, tuple):
+        if not all(isinstance(point, (list, tuple, np.ndarray)) and len(point) == 3 for point in points):
             return None
+    elif not hasattr(points, '__array__'):
+        return None
     shape = np.shape(points)
     if len(shape) != 2 or shape[1] != 3:
         return None

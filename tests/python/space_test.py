@@ -29,6 +29,8 @@ def test_points_of_three_columns_are_in_space(foam):
     assert (foam.status == vorpipe.Status.OK).all() and (foam.owner == np.arange(400)).all()
     as_list = vorpipe.cells(foam.sites.tolist(), domain=UNIT)
     assert (as_list.volumes == foam.volumes).all()
+    plane = vorpipe.cells([[0, 0], [1, 2], [3, 1]])
+    assert isinstance(plane, vorpipe.Diagram) and isinstance(vorpipe.Session("cpu").cells([(0, 0)] * 3), vorpipe.Diagram)
 
 
 def test_neighbors_are_scipys(foam):
