@@ -319,7 +319,7 @@ def sites_in_space(points: Any) -> Optional[_vorpipe.SpaceSites]:
     array = np.ascontiguousarray(_arguments.numbers('points', points))
     wrong = np.flatnonzero(~np.isfinite(array).all(axis=1))
     if len(wrong):
-        raise _scalars.refuse('points', f'point {wrong[0]} is not finite: {tuple(array[wrong[0]].tolist())}')
+        raise _scalars.refuse('points', f'point {wrong[0]} is not finite: ' + ', '.join(f'{x:g}' for x in array[wrong[0]]))
     return _vorpipe.space_sites(array)
 
 
