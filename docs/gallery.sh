@@ -1,13 +1,13 @@
 #!/usr/bin/env bash
 # Draws every picture of docs/gallery anew: docs/gallery.sh [--program VORPIPE] [--into FOLDER] [--film STEPS]
-# The film has a picture every so many steps: 2, of which the test wants fewer.
+# The film has a picture every so many steps: 4, of which the test wants fewer.
 # The backend is cpu, whose pictures are the same on every machine. The test docs_gallery compares what this script
 # draws with what is committed.
 set -euo pipefail
 root=$(cd -P "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 program=$root/run
 into=$root/docs/gallery
-film=2
+film=4
 while [[ $# -gt 0 ]]; do
   case $1 in
     --program) program=$2 ;;

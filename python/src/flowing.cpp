@@ -247,6 +247,7 @@ void defineFlowing(py::module_& module) {
       .def_property_readonly("until", [](const FluidRun& run) { return run.now()->options.until; })
       .def_property_readonly("scheme", [](const FluidRun& run) { return nameOf(run.now()->options.scheme); })
       .def_property_readonly("viscosity", [](const FluidRun& run) { return run.now()->options.viscosity; })
+      .def_property_readonly("centering", [](const FluidRun& run) { return run.now()->options.centering; })
       .def_property_readonly("walls", [](const FluidRun& run) { return nameOf(run.now()->options.walls); })
       .def_property_readonly("outline",
                              [](const FluidRun& run) {
@@ -268,6 +269,9 @@ void defineFlowing(py::module_& module) {
       .def("save", &saveFluid, py::arg("path"));
   module.def("begin_fluid", &FluidRun::begin, py::arg("session"), py::arg("setup"), py::arg("progress"));
   module.def("fluid_cases", &fluidCaseNames);
+  module.def("usual_particles", [](const std::string& name) {
+    return usualParcels(fluidCaseOf(name).value_or(FluidCase::taylor_green));
+  });
 }
 
 }  // namespace vorpipe::python

@@ -13,6 +13,7 @@
 #include "choices.h"
 #include "io/sites/attribute_values.h"
 #include "results.h"
+#include "vorpipe/globe.h"
 
 namespace vorpipe::python {
 namespace {
@@ -44,7 +45,8 @@ using SizeArguments = std::pair<int, std::optional<int>>;
 
 Look lookOf(const std::optional<SizeArguments>& size, const std::optional<std::string>& fit,
             const Colors& colors, const PictureWords& words, const py::dict& marks, const std::string& search,
-            int neighbors, const std::optional<std::array<double, 4>>& view) {
+            int neighbors, const std::optional<std::array<double, 4>>& view,
+            const std::optional<std::string>& map, const std::optional<std::array<double, 2>>& view_from) {
   Look look{};
   if (size && size->second) look.size = PictureSize{size->first, *size->second};
   if (size && !size->second) look.longer_side = size->first;
@@ -71,6 +73,8 @@ Look lookOf(const std::optional<SizeArguments>& size, const std::optional<std::s
   takeOptions(picture_rows, marks, options);
   options.search = {chosen<Search>("search", search), neighbors};
   if (view) options.view = Box{(*view)[0], (*view)[1], (*view)[2], (*view)[3]};
+  if (map) look.map = chosen<GlobeMap>("map", *map);
+  if (view_from) options.view_from = Point{(*view_from)[0], (*view_from)[1]};
   return look;
 }
 
@@ -89,6 +93,30 @@ const Attribute* attributeFor(const Look& look, const Input& input, const std::s
   return *found;
 }
 
+/// Takes what pictures of the globe alone have, and refuses what it has not.
+void takeMap(const Look& look, const Input& input, RenderOptions& options) {
+  options.globe = input.globe;
+  if (look.map) options.map = *look.map;
+  if (!input.globe) {
+    if (look.map) raiseInput("map", "is for the globe");
+    if (options.view_from) raiseInput("view_from", "is for the globe");
+    return;
+  }
+  if (look.map && options.view_from) raiseInput("map", "view_from is a map of its own; leave one out");
+  if (look.fit) raiseInput("fit", "is for a plane; maps of the globe keep their aspect");
+  if (!look.color_file.empty()) raiseInput("color", "a photograph is for a plane, not for the globe");
+  if (!options.view) options.view = valueOf(domainOnMap(options));
+}
+
+/// Names areas in square kilometers, where the unit is known.
+void nameAreas(const Input& input, RenderOptions& options) {
+  const auto unit = input.globe ? std::optional(1.0) : squareKilometersIn(input.system);
+  if (!options.legend_beside || !options.legend_title.empty() || options.color != ColorBy::area || !unit)
+    return;
+  options.legend_title = areas_in_kilometers;
+  options.legend_factor = *unit;
+}
+
 }  // namespace
 
 RenderOptions renderOptionsOf(const Look& look, const Input& input) {
@@ -96,12 +124,13 @@ RenderOptions renderOptionsOf(const Look& look, const Input& input) {
   options.domain = input.domain;
   options.outline = input.outline;
   options.periodic = input.periodic;
+  takeMap(look, input, options);
   const Box shown = shownBox(options);
   const PictureSize usual = look.longer_side > 0 ? sizeFor(shown, look.longer_side) : defaultSize(shown);
   const PictureSize size = look.size.value_or(usual);
   options.width = size.width;
   options.height = size.height;
-  options.fit = look.fit.value_or(usualFit(input));
+  options.fit = input.globe ? Fit::letterbox : look.fit.value_or(usualFit(input));
   if (const Attribute* const attribute = attributeFor(look, input, "color", look.color)) {
     auto values = valuesOf(*attribute);
     if (!values) raiseInput("color", values.error().message);
@@ -112,6 +141,7 @@ RenderOptions renderOptionsOf(const Look& look, const Input& input) {
   if (const Attribute* const attribute = attributeFor(look, input, "labels", look.labels)) {
     options.texts = textsOf(*attribute);
   }
+  nameAreas(input, options);
   return options;
 }
 
@@ -146,7 +176,8 @@ void defineLook(py::module_& module) {
   module.attr("MARKS") = usualOptions<RenderOptions>(picture_rows);
   py::class_<Look>(module, "Look", "How a picture is to look.")
       .def(py::init(&lookOf), py::arg("size"), py::arg("fit"), py::arg("colors"), py::arg("words"),
-           py::arg("marks"), py::arg("search"), py::arg("neighbors"), py::arg("view"));
+           py::arg("marks"), py::arg("search"), py::arg("neighbors"), py::arg("view"), py::arg("map"),
+           py::arg("view_from"));
 }
 
 }  // namespace vorpipe::python

@@ -13,6 +13,7 @@ namespace vorpipe::python {
 struct Look {
   std::optional<PictureSize> size;  ///< none: by the longer side
   int longer_side;                  ///< 0: the usual one
+  std::optional<GlobeMap> map{};    ///< none: the usual one, or none
   std::optional<Fit> fit;           ///< none: the usual one of sites that were read; arrays fill pictures
   RenderOptions options{};          ///< but what follows from the input
   std::string color_file{};         ///< of the photograph; empty: none

@@ -341,7 +341,7 @@ struct Members<RenderOptions> {
             member("map", &RenderOptions::map), member("view_from", &RenderOptions::view_from)),
       membersOf(picture_rows));
 };
-static_assert(has_all_members<RenderOptions>(4));  // the progress is the run's, the others are the input's
+static_assert(has_all_members<RenderOptions>(5));  // the progress is the run's, the others are the input's
 
 template <>
 struct Members<Image> {

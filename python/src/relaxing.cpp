@@ -76,6 +76,7 @@ RelaxOptions relaxOptionsOf(const Input& input, const RelaxArguments& given) {
   options.domain = input.domain;
   options.outline = input.outline;
   options.periodic = input.periodic;
+  options.globe = input.globe;
   options.density = input.density;
   options.search = {chosen<Search>("search", given.search), given.neighbors};
   return options;

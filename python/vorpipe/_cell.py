@@ -52,7 +52,7 @@ class Cell:
 
     @property
     def owner(self) -> int:
-        return int(self._diagram.owner[self.site])
+        return int(self._diagram.owners[self.site])
 
     @property
     def area(self) -> float:

@@ -178,9 +178,11 @@ class Diagram(Shown):
         return self._cells.status
 
     @property
-    def owner(self) -> npt.NDArray[np.int32]:
+    def owners(self) -> npt.NDArray[np.int32]:
         """(N,): the point that owns the cell: itself unless it is a duplicate."""
         return self._cells.owner
+
+    owner = formerly('owner', 'owners')
 
     @property
     def areas(self) -> Floats:

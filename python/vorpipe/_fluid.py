@@ -39,11 +39,13 @@ class Fluid:
         domain, periodic, repair: as in `cells`; an outline is walls of any shape, with holes as obstacles. A case takes
             one, in which it begins; nothing else of these.
         surface: "free" where air is around the cells.
-        particles: about how many cells a case has; None: 2048.
+        particles: about how many cells a case has; None: 2048, and 8192 of "rayleigh-taylor".
         gravity: (x, y); None: none.
         scheme: "projection", for domains that are full; or "springs", which has free surfaces. None: the first, but for
             those.
         viscosity: kinematic, area per time; None: 0.
+        centering: the rate, per time, at which points also move to the centroids of their cells, by projection;
+            None: 0.
         walls: "slip", along which a viscous fluid slides, or "no-slip", to which it sticks; None: "slip".
         step: of time; None or 0: as long as speeds and springs allow.
         epsilon: a time, in 2 pi of which springs swing; None: 2 spacings over the largest first speed or half of that
@@ -63,6 +65,7 @@ class Fluid:
                  periodic: Union[None, bool, str] = None, surface: Optional[str] = None,
                  particles: Optional[int] = None, gravity: Optional[Sequence[float]] = None,
                  scheme: Optional[str] = None, viscosity: Optional[float] = None, walls: Optional[str] = None,
+                 centering: Optional[float] = None,
                  step: Optional[float] = None, epsilon: Optional[float] = None, until: Optional[float] = None,
                  tolerance: Optional[float] = None, diagrams: Optional[int] = None, search: str = 'grid',
                  backend: str = 'auto', device: Union[None, int, str] = None, threads: Optional[int] = None,
@@ -70,8 +73,7 @@ class Fluid:
         arrays = {'velocities': velocities, 'volumes': volumes, 'densities': densities, 'weights': weights,
                   'domain': domain, 'periodic': periodic, 'surface': surface}
         if isinstance(begin, (str, os.PathLike)):
-            setup = _named(begin, particles, arrays, repair)
-            count = 2048 if particles is None else int(particles)
+            setup, count = _named(begin, particles, arrays, repair)
         else:
             if particles is not None:
                 raise _scalars.refuse('particles', 'is for cases; points are as many as there are')
@@ -83,7 +85,7 @@ class Fluid:
                                            _arguments.positive_of('densities', densities, count))
         found, neighbors = _arguments.search_of(search)
         named = {'scheme': scheme, 'step': step, 'epsilon': epsilon, 'until': until, 'tolerance': tolerance,
-                 'gravity': gravity, 'viscosity': viscosity, 'walls': walls}
+                 'gravity': gravity, 'viscosity': viscosity, 'walls': walls, 'centering': centering}
         options = _arguments.options_of(_vorpipe.FLUID, {k: v for k, v in named.items() if v is not None})
         most = None if diagrams is None else _arguments.iterations_of(diagrams, 'diagrams')
         setup.choose(options, most, found, neighbors)
@@ -217,6 +219,11 @@ class Fluid:
         return self._fluid.viscosity
 
     @property
+    def centering(self) -> float:
+        """The rate, per time, at which points also move to the centroids of their cells, by projection."""
+        return self._fluid.centering
+
+    @property
     def walls(self) -> str:
         """ "slip" or "no-slip"."""
         return self._fluid.walls
@@ -253,8 +260,9 @@ class Fluid:
         self._fluid.save(_scalars.path_of(path))
 
 
-def _named(begin: Named, particles: Optional[int], arrays: Any, repair: bool) -> _vorpipe.FluidSetup:
-    """Of a case or a file, which have all arrays themselves; a case may have another outline."""
+def _named(begin: Named, particles: Optional[int], arrays: Any,
+           repair: bool) -> Tuple[_vorpipe.FluidSetup, int]:
+    """A case or a file, which have all arrays themselves, and about how many cells; a case may have another outline."""
     path = _scalars.path_of(begin, 'begin')
     name = os.fsdecode(path)
     is_case = name in _vorpipe.fluid_cases()
@@ -264,6 +272,7 @@ def _named(begin: Named, particles: Optional[int], arrays: Any, repair: bool) ->
             raise _scalars.refuse(argument, f'{name} has its own')
     if particles is not None and not is_case:
         raise _scalars.refuse('particles', f'is for cases; {name} has as many as it has')
-    count = 2048 if particles is None else _scalars.whole_of('particles', particles, 4, what='is no number of at least 4')
+    count = _vorpipe.usual_particles(name) if particles is None else _scalars.whole_of(
+        'particles', particles, 4, what='is no number of at least 4')
     outline = None if domain is None else _arguments.outline_of(domain)
-    return _vorpipe.FluidSetup.named(path, count, outline, _scalars.flag_of('repair', repair))
+    return _vorpipe.FluidSetup.named(path, count, outline, _scalars.flag_of('repair', repair)), count

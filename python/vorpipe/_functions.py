@@ -46,7 +46,7 @@ def cells(points: Any, weights: Any = None, domain: Any = None, *, backend: str 
         device: an index or a part of a name, as `devices` lists them; None for the best.
         threads: of the processor; None for all.
         check: verifies the cells, with nothing of what computes them.
-        detail: "measures" (status, owner, areas, centroids, offsets, neighbors), "polygons" (and perimeters, second
+        detail: "measures" (status, owners, areas, centroids, offsets, neighbors), "polygons" (and perimeters, second
             moments, vertices, edge lengths) or "all" (and triangles). What is not wanted costs no time.
         search: how the sites that may cut a cell are found: "grid", "flann" or "flann:K".
         progress: called with a stage's name and the part done, from 0 to 1; returning False stops the run.
@@ -66,7 +66,7 @@ def cells(points: Any, weights: Any = None, domain: Any = None, *, backend: str 
             the weight. Arcs are lines, whose neighbor is `Wall.OUTLINE`; `Cell.border` has them. There are no
             triangles; outlines, periods, densities and `check` are not for it yet.
         globe: points are degrees of longitude and latitude, of any turn, and cells are those on the sphere: of the
-            whole Earth, without a domain. Areas are square kilometers on the ellipsoid, lengths kilometers, weights
+            whole Earth, or of an outline or a box in degrees. Areas are square kilometers on the ellipsoid, lengths kilometers, weights
             squares of radii in kilometers. Brings `solid_angles`.
 
     Ctrl-C stops it, other threads of Python go on meanwhile.
@@ -129,6 +129,10 @@ def render(points: Any, weights: Any = None, domain: Any = None, *, backend: str
         view: (xmin, ymin, xmax, ymax), what the picture shows; None for the domain. It changes no color.
         title: above the picture where it is saved, which is higher then.
         legend_title: above the legend, as "rain, mm"; None for what `color` shows.
+        globe: as in `cells`; the picture is of a map, which keeps its aspect, and `view` is in its unit.
+        map: of the globe: "plate-carree", where x and y are degrees, or "equal-earth", where areas are true.
+        view_from: (longitude, latitude) of a place from far above which the globe is seen, in place of a map.
+        graticule: degrees between meridians, and between parallels, that are drawn on the globe; 0: none.
 
     With `project`, the picture is of the plane. All others are as in `cells`; "auto" takes "cpu" for up to 100,000
     points and 4 million pixels.
@@ -165,7 +169,8 @@ def relax(points: Any, weights: Any = None, domain: Any = None, *, backend: str 
             wants it. Else points are as dense as the square root of the density.
         progress: called with "relax" and the part done; returning False stops it, and what was reached is lost.
 
-    Points stay in the domain; one at the place of another is set beside it. All others are as in `cells`.
+    Points stay in the domain; one at the place of another is set beside it. With `globe=True` they move on the sphere,
+    all over the Earth. All others are as in `cells`.
     """
     points = given(points)
     return _session(backend, device, threads, points).relax(points, weights, domain, **options)

@@ -4,7 +4,7 @@ from __future__ import annotations
 from typing import Any, Dict, List, Mapping, Optional, Sequence, Tuple, Union
 
 from . import _attributes, _vorpipe
-from ._arguments import box_of, options_of, range_of, search_of, size_of
+from ._arguments import box_of, options_of, pair_of, range_of, search_of, size_of
 from ._options import PictureOptions, usual
 from ._scalars import flag_of, refuse, text_of, text_or_none
 
@@ -56,4 +56,6 @@ def look_of(count: int, options: Mapping[str, Any]) -> _vorpipe.Look:
     look = _vorpipe.Colors(by, name, colors, text_or_none('color_scale', options['color_scale']),
                            range_of(options['color_range']), has_legend, flag_of('fill', options['fill']))
     return _vorpipe.Look(size_of(options['size']), text_or_none('fit', options['fit']), look, words,
-                         options_of(_vorpipe.MARKS, marks), method, neighbors, box_of(options['view'], 'view'))
+                         options_of(_vorpipe.MARKS, marks), method, neighbors, box_of(options['view'], 'view'),
+                         text_or_none('map', options['map']),
+                         None if options['view_from'] is None else pair_of('view_from', options['view_from']))

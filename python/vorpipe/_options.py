@@ -65,6 +65,10 @@ class PictureOptions(RunOptions, total=False):
     antialias: int
     surface: Optional[str]
     check: bool
+    globe: bool
+    map: Optional[str]
+    view_from: Optional[Sequence[float]]
+    graticule: float
 
 
 class RelaxOptions(DensityOptions, total=False):
@@ -73,6 +77,7 @@ class RelaxOptions(DensityOptions, total=False):
     iterations: int
     tolerance: float
     equal_masses: bool
+    globe: bool
 
 
 class TransportOptions(DensityOptions, total=False):
@@ -89,8 +94,8 @@ class TransportOptions(DensityOptions, total=False):
 _USUAL: Dict[Any, Dict[str, Any]] = {
     CellsOptions: {'check': False, 'detail': 'all', 'globe': False},
     PictureOptions: {**_vorpipe.MARKS, 'dot_size': None, 'color': 'site', 'legend': False, 'fill': True,
-                     'check': False},
-    RelaxOptions: _vorpipe.RELAX,
+                     'check': False, 'globe': False},
+    RelaxOptions: {**_vorpipe.RELAX, 'globe': False},
     TransportOptions: {**_vorpipe.TRANSPORT, 'normalize': False, 'skip_zero': False},
 }
 

@@ -51,9 +51,11 @@ class Picture(Shown):
         return self._picture.status
 
     @property
-    def owner(self) -> npt.NDArray[np.int32]:
+    def owners(self) -> npt.NDArray[np.int32]:
         """(N,): the point that owns the cell: itself unless it is a duplicate."""
         return self._picture.owner
+
+    owner = formerly('owner', 'owners')
 
     @property
     def sites(self) -> Floats:

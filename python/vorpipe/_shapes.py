@@ -48,7 +48,7 @@ def columns_of(diagram: Diagram) -> Dict[str, Any]:
     if diagram.weights is not None:
         columns['weight'] = diagram.weights.copy()
     columns['status'] = np.array(['ok', 'empty', 'duplicate'])[diagram.status]
-    columns['owner'] = diagram.owner.astype(np.int64)
+    columns['owner'] = diagram.owners.astype(np.int64)
     columns['area'] = diagram.areas.copy()
     if diagram.detail != 'measures':
         columns['perimeter'] = diagram.perimeters.copy()

@@ -42,6 +42,13 @@ class DisjointSets {
     }
   }
 
+  /// Hands over the root of each number, once no thread joins any more.
+  std::vector<std::uint32_t> roots() && {
+    // The parent of a number is lower, so its own root is known.
+    for (auto& parent : parent_) parent = parent_[parent];
+    return std::move(parent_);
+  }
+
  private:
   std::atomic_ref<std::uint32_t> at(std::uint32_t i) { return std::atomic_ref(parent_[i]); }
 

@@ -132,10 +132,24 @@ inline constexpr NumberRow<RenderOptions, int> antialias_row{
     "smooths a .png: each pixel has the mean color of N x N places, {0} to {1}; --ids are those of the "
     "centers [{2}]"};
 
+inline constexpr NumberRow<RenderOptions, double> graticule_row{
+    "graticule",
+    &RenderOptions::graticule,
+    0,
+    90,
+    0.1,
+    {},
+    " degrees",
+    "DEGREES",
+    "with --globe, draws meridians and parallels, so many degrees apart, {0} to {1}, and the border of the "
+    "map "
+    "[none]"};
+
 /// The marks of pictures, in the order of help; and all options of pictures that have rows.
 inline constexpr std::tuple mark_rows{edges_row,      edge_color_row, dual_row,   edge_width_row,
                                       show_sites_row, dot_size_row,   labels_row, label_size_row};
-inline constexpr auto picture_rows = std::tuple_cat(mark_rows, std::tuple{background_row, antialias_row});
+inline constexpr auto picture_rows =
+    std::tuple_cat(mark_rows, std::tuple{background_row, antialias_row, graticule_row});
 
 inline constexpr double without_end = std::numeric_limits<double>::infinity(),
                         above_zero = std::numeric_limits<double>::denorm_min();
@@ -232,6 +246,18 @@ inline constexpr std::tuple fluid_rows{
     ChoiceRow<FluidOptions, FluidWalls>{"walls", &FluidOptions::walls, "NAME",
                                         "slip, along which a viscous fluid slides; or no-slip, to which it "
                                         "sticks [as the case has it, or {}]"},
+    NumberRow<FluidOptions, double>{
+        "centering",
+        &FluidOptions::centering,
+        0,
+        without_end,
+        0,
+        {},
+        "",
+        "RATE",
+        "by projection: sites also move to the centroids of their cells, at this rate, per time; cells keep "
+        "their velocities [as the case has it, or {2}]",
+        "a number of 0 or more"},
     PointRow<FluidOptions>{"gravity", &FluidOptions::gravity, "GX,GY", "acceleration [as the case has it]"},
     fluidRow("tolerance", &FluidOptions::tolerance, "T",
              "no area differs from its own by more than this part of it [{2}]")};

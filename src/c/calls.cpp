@@ -9,6 +9,7 @@
 
 #include "base/try.h"
 #include "io/base/error.h"
+#include "vorpipe/globe.h"
 
 namespace vorpipe::c {
 namespace {
@@ -193,6 +194,29 @@ Result<void> takeLooks(const PlacedInput& placed, const vorpipe_render_options& 
   return {};
 }
 
+/// Takes what pictures of the globe alone have.
+Result<void> takeMap(const PlacedInput& placed, const vorpipe_render_options& given, RenderOptions& options) {
+  constexpr std::array maps{GlobeMap::plate_carree, GlobeMap::equal_earth};
+  VORPIPE_LET(map, chosen(maps, given.map, "map"));
+  options.globe = placed.domain.globe;
+  options.map = map;
+  options.graticule = given.graticule;
+  if (given.has_view_from != 0) {
+    options.view_from = Point{given.view_from_longitude, given.view_from_latitude};
+  }
+  if (!options.globe) {
+    if (map == GlobeMap::plate_carree && !options.view_from) return {};
+    return inputError(fmt::format("{}: is of the globe, and this input is in a plane",
+                                  options.view_from ? "view_from" : "map"));
+  }
+  if (given.fit != VORPIPE_FIT_AUTOMATIC)
+    return inputError("fit: is of a plane; maps of the globe keep their aspect");
+  if (options.view) return {};
+  VORPIPE_VAR(shown, domainOnMap(options));
+  options.view = shown;
+  return {};
+}
+
 }  // namespace
 
 Result<SearchOptions> searchOf(vorpipe_search search, std::int32_t neighbors) {
@@ -240,12 +264,6 @@ Result<int> threadsOf(std::int32_t threads) {
   return inputError(fmt::format("threads: is {}", threads));
 }
 
-/// Refuses an input on the globe for what a plane alone has.
-Result<void> refuseGlobe(const PlacedInput& placed, std::string_view what) {
-  if (!placed.domain.globe) return {};
-  return inputError(fmt::format("globe: {} of a plane, and this input is on the globe", what));
-}
-
 Result<CellsOptions> cellsOptions(const vorpipe_input& input, const PlacedInput& placed,
                                   const vorpipe_cells_options* given) {
   VORPIPE_LET(taken_options, taken(given, "vorpipe_cells_options"));
@@ -266,7 +284,6 @@ Result<CellsOptions> cellsOptions(const vorpipe_input& input, const PlacedInput&
 
 Result<RenderOptions> renderOptions(const PlacedInput& placed, const vorpipe_render_options* given) {
   VORPIPE_LET(taken_options, taken(given, "vorpipe_render_options"));
-  VORPIPE_TRY(refuseGlobe(placed, "pictures are"));
   constexpr std::array colors{ColorBy::site, ColorBy::area, ColorBy::neighbors, ColorBy::weight};
   VORPIPE_LET(color, chosen(colors, taken_options.color, "color"));
   VORPIPE_LET(search, searchOf(taken_options.search, taken_options.search_neighbors));
@@ -278,6 +295,7 @@ Result<RenderOptions> renderOptions(const PlacedInput& placed, const vorpipe_ren
     options.view = Box{taken_options.view_xmin, taken_options.view_ymin, taken_options.view_xmax,
                        taken_options.view_ymax};
   }
+  VORPIPE_TRY(takeMap(placed, taken_options, options));
   const bool sized = taken_options.width != 0 || taken_options.height != 0;
   const PictureSize size =
       sized ? PictureSize{taken_options.width, taken_options.height} : defaultSize(shownBox(options));
@@ -298,7 +316,6 @@ Result<RenderOptions> renderOptions(const PlacedInput& placed, const vorpipe_ren
 
 Result<CellsOptions> movingOptions(const vorpipe_input& input, const PlacedInput& placed,
                                    vorpipe_search search, std::int32_t neighbors) {
-  VORPIPE_TRY(refuseGlobe(placed, "sites that move are"));
   vorpipe_cells_options options{};
   options.struct_size = sizeof(options);
   options.search = search;

@@ -20,8 +20,6 @@
 namespace vorpipe::c {
 namespace {
 
-constexpr std::uint64_t usual_parcels = 2048;
-
 /// Replaces options that are not zero in `wanted`.
 Result<void> takeOptions(const vorpipe_fluid_options& wanted, FluidOptions& options) {
   const std::array schemes{options.scheme, FluidScheme::springs, FluidScheme::projection};
@@ -33,6 +31,7 @@ Result<void> takeOptions(const vorpipe_fluid_options& wanted, FluidOptions& opti
   if (wanted.tolerance != 0) options.tolerance = wanted.tolerance;
   if (wanted.diagrams != 0) options.diagrams = wanted.diagrams;
   if (wanted.viscosity != 0) options.viscosity = wanted.viscosity;
+  if (wanted.centering != 0) options.centering = wanted.centering;
   const std::array walls{options.walls, FluidWalls::slip, FluidWalls::no_slip};
   VORPIPE_LET(at_walls, chosen(walls, wanted.walls, "walls"));
   options.walls = at_walls;
@@ -91,8 +90,8 @@ Result<FluidSetup> fluidSetup(const std::string& name, std::uint64_t parcels,
   }
   if (!named && parcels != 0) return inputError(fmt::format("parcels: {} has as many as it has", name));
   if (hasArrays(wanted)) return inputError(fmt::format("velocities: {} has arrays of its own", name));
-  auto setup =
-      named ? Result<FluidSetup>(fluidCase(*named, parcels == 0 ? usual_parcels : parcels)) : readFluid(name);
+  auto setup = named ? Result<FluidSetup>(fluidCase(*named, parcels == 0 ? usualParcels(*named) : parcels))
+                     : readFluid(name);
   if (!setup) return setup;
   VORPIPE_LET(search, searchOf(wanted.search, wanted.search_neighbors));
   setup->options.search = search;

@@ -18,6 +18,7 @@ Result<RelaxOptions> relaxOptions(const vorpipe_input& input, const PlacedInput&
   VORPIPE_LET(method, chosen(methods, wanted.method, "method"));
   VORPIPE_VAR(cells, movingOptions(input, placed, wanted.search, wanted.search_neighbors));
   auto options = optionsWith<RelaxOptions>(std::move(cells));
+  options.globe = placed.domain.globe;
   options.equal_masses = wanted.equal_masses != 0;
   options.method = method;
   if (wanted.iterations != 0) options.iterations = wanted.iterations;
@@ -80,6 +81,9 @@ Result<void> checkMasses(const vorpipe_transport_options& wanted) {
 
 Result<TransportOptions> transportOptions(const vorpipe_input& input, const PlacedInput& placed,
                                           const vorpipe_transport_options& wanted) {
+  if (placed.domain.globe) {
+    return inputError("globe: masses are of a plane, and this input is on the globe");
+  }
   VORPIPE_TRY(checkMasses(wanted));
   constexpr std::array surfaces{Surface::none, Surface::free};
   VORPIPE_LET(surface, chosen(surfaces, wanted.surface, "surface"));

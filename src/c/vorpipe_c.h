@@ -528,6 +528,13 @@ enum {
   VORPIPE_FIT_LETTERBOX = 2  /* it keeps its aspect, in the middle; pixels beside it have no site */
 };
 
+/* Flat maps of the globe, from 180 degrees west to 180 degrees east. */
+typedef int32_t vorpipe_map;
+enum {
+  VORPIPE_MAP_PLATE_CARREE = 0, /* longitude and latitude, in degrees */
+  VORPIPE_MAP_EQUAL_EARTH = 1   /* areas are true; meters, as EPSG:8857 */
+};
+
 typedef struct vorpipe_render_options {
   uint32_t struct_size;
   int32_t width, height; /* pixels, 1 to 32768; both 0: the longer side is 1000 */
@@ -556,6 +563,10 @@ typedef struct vorpipe_render_options {
   const char* edge_color; /* of edges: "#rgb", "#rrggbb" or a name of CSS; NULL: "#181818" */
   const char* background; /* of what is no cell, and of cells with no_fill; may be "#rrggbbaa"; NULL:
                              transparent, and white cells */
+  vorpipe_map map; /* of an input on the globe; its view is in the map's unit, and it keeps its aspect */
+  int32_t has_view_from; /* not 0: the globe as seen from far above this place, in place of a map */
+  double view_from_longitude, view_from_latitude; /* degrees */
+  double graticule; /* degrees between meridians, and between parallels, on the globe: 0.1 to 90; 0: none */
 } vorpipe_render_options;
 
 typedef struct vorpipe_picture vorpipe_picture;
@@ -832,6 +843,7 @@ typedef struct vorpipe_fluid_options {
   void* progress_user;
   double viscosity; /* kinematic, area per time; 0: as a case or a file has it, else none */
   vorpipe_fluid_walls walls;
+  double centering; /* rate, per time, at which sites move to their centroids by projection; 0: likewise */
 } vorpipe_fluid_options;
 
 /* What a step has come to. */
@@ -863,7 +875,7 @@ typedef struct vorpipe_fluid vorpipe_fluid;
  * A free surface asks for volumes. `options` may be NULL. */
 VORPIPE_API vorpipe_code vorpipe_fluid_begin(vorpipe_session* session, const vorpipe_input* input,
                                              const vorpipe_fluid_options* options, vorpipe_fluid** fluid);
-/* A case of VORPIPE_FLUID_CASES with about `parcels` cells, 0: 2048; or an .npz file, of which
+/* A case of VORPIPE_FLUID_CASES with about `parcels` cells, 0: its usual number; or an .npz file, of which
  * vorpipe_fluid_save and `vorpipe fluid --checkpoint` write the kind. Options that are not zero replace those
  * that it has. */
 VORPIPE_API vorpipe_code vorpipe_fluid_read(vorpipe_session* session, const char* name, uint64_t parcels,

@@ -41,6 +41,7 @@ std::vector<std::string> brokenInGlobePicture(const Sites& sites, const RenderOp
   }
   const GlobeSites placed(sites);
   const GlobePixels places(options);
+  const GlobeOutline outline(options.outline);
   // Places and sites are rounded; a border that turns about a near neighbor moves by more.
   constexpr double slack = 1e-9;
   const std::uint64_t every = (pixels + sampled_of_globe - 1) / sampled_of_globe;
@@ -52,7 +53,12 @@ std::vector<std::string> brokenInGlobePicture(const Sites& sites, const RenderOp
     const int down = row - frame.top, right = column - frame.left;
     const bool inside = down >= 0 && down < frame.height && right >= 0 && right < frame.width;
     if (inside && places.isOnBorder(down, right)) return {};
-    const auto place = inside ? places.at(down, right) : std::nullopt;
+    auto place = inside ? places.at(down, right) : std::nullopt;
+    if (place && !options.outline.empty()) {
+      const auto side = outline.at(*place);
+      if (side == GlobeOutline::Side::edge) return {};
+      if (side == GlobeOutline::Side::outside) place.reset();
+    }
     const std::string wrong = wrongAt(placed, rendering, image.ids[pixel], place, slack);
     return wrong.empty() ? "" : fmt::format("row {}, column {} {}", row, column, wrong);
   });

@@ -94,9 +94,67 @@ double GlobeSites::beyond(std::size_t i, std::size_t j, const SpaceVector& place
   return apart == 0 ? 0 : (of_a - of_b) * (of_a + of_b) / 2 / apart;
 }
 
+GlobeOutline::GlobeOutline(const Outline& outline) : by_degree_(2 * static_cast<std::size_t>(half_turn)) {
+  for (std::size_t r = 0; r + 1 < outline.ring_offsets.size(); ++r) {
+    const auto begin = outline.ring_offsets[r], end = outline.ring_offsets[r + 1];
+    addRing(std::span(outline.points).subspan(begin, end - begin));
+  }
+}
+
+void GlobeOutline::addRing(std::span<const Point> ring) {
+  double turns = 0, height = 0;
+  for (std::size_t k = 0; k < ring.size(); ++k) {
+    const Point from = ring[k];
+    Point to = ring[k + 1 < ring.size() ? k + 1 : 0];
+    // The longitude of a pole is any.
+    const bool to_pole = std::abs(to.y) == half_turn / 2, from_pole = std::abs(from.y) == half_turn / 2;
+    const double way = to_pole || from_pole ? 0 : std::remainder(to.x - from.x, 2 * half_turn);
+    to.x = from.x + way;
+    turns += way;
+    height += std::sin(from.y / half_turn * pi);
+    const double west = std::floor(std::min(from.x, to.x)) - 1, east = std::floor(std::max(from.x, to.x)) + 1;
+    for (double column = west; column <= east; ++column) {
+      const double first = column - 2 * half_turn * std::floor(column / (2 * half_turn));
+      by_degree_[static_cast<std::size_t>(first)].push_back({from, to});
+    }
+  }
+  // A ring around a pole has that in whose half it lies.
+  if (std::abs(turns) > half_turn && height > 0) has_pole_ = !has_pole_;
+}
+
+GlobeOutline::Side GlobeOutline::at(const SpaceVector& place) const {
+  constexpr double slack = 1e-3;  // degrees
+  const double longitude = std::atan2(place[1], place[0]) / pi * half_turn;
+  const double latitude = std::atan2(place[2], std::hypot(place[0], place[1])) / pi * half_turn;
+  const double column = std::floor(longitude) + (longitude < 0 ? 2 * half_turn : 0);
+  const double shrinks = std::cos(latitude / half_turn * pi);
+  bool is_inside = has_pole_;
+  for (const auto& [from, to] : by_degree_[static_cast<std::size_t>(column) % by_degree_.size()]) {
+    const double turn = 2 * half_turn * std::round((from.x - longitude) / (2 * half_turn));
+    const Point a{from.x - turn - longitude, from.y - latitude}, b{to.x - turn - longitude, to.y - latitude};
+    const Point way{(b.x - a.x) * shrinks, b.y - a.y};
+    const double squared = way.x * way.x + way.y * way.y;
+    const double part =
+        squared > 0 ? std::clamp(-(a.x * shrinks * way.x + a.y * way.y) / squared, 0.0, 1.0) : 0;
+    if (std::hypot(a.x * shrinks + part * way.x, a.y + part * way.y) < slack) return Side::edge;
+    if ((a.x > 0) != (b.x > 0) && a.y - a.x / (b.x - a.x) * (b.y - a.y) > 0) is_inside = !is_inside;
+  }
+  return is_inside ? Side::inside : Side::outside;
+}
+
 GlobePixels::GlobePixels(const RenderOptions& options) : options_(options), frame_(shownFrame(options)) {
-  if (options.view_from) return;
   const EqualEarthRow equator(0), pole(half_turn / 2);
+  if (options.view) {
+    constexpr double meters = 1000;
+    const double radius = meters * std::sqrt(earth_area / (4 * pi));
+    const bool equal_earth = options.map == GlobeMap::equal_earth;
+    const Point half = options.view_from ? Point{1, 1}
+                       : equal_earth     ? Point{radius * equator.half_width, radius * pole.y}
+                                         : Point{half_turn, half_turn / 2};
+    const Box& view = *options.view;
+    shown_ = {view.xmin / half.x, view.ymin / half.y, view.xmax / half.x, view.ymax / half.y};
+  }
+  if (options.view_from) return;
   for (int row = 0; row < frame_.height; ++row) {
     const double up = partOf(row, 0).y;
     const bool equal_earth = options.map == GlobeMap::equal_earth;
@@ -106,13 +164,14 @@ GlobePixels::GlobePixels(const RenderOptions& options) : options_(options), fram
 }
 
 Point GlobePixels::partOf(int row, int column) const {
-  return {(2 * column + 1.0) / frame_.width - 1, 1 - (2 * row + 1.0) / frame_.height};
+  return {shown_.xmin + (column + 0.5) / frame_.width * (shown_.xmax - shown_.xmin),
+          shown_.ymax - (row + 0.5) / frame_.height * (shown_.ymax - shown_.ymin)};
 }
 
 double GlobePixels::reachOf(int row, int column) const {
   const Point part = partOf(row, column);
   if (options_.view_from) return std::hypot(part.x, part.y);
-  return std::abs(part.x) / width_[static_cast<std::size_t>(row)];
+  return std::max(std::abs(part.x) / width_[static_cast<std::size_t>(row)], std::abs(part.y));
 }
 
 bool GlobePixels::isOnBorder(int row, int column) const {
@@ -139,7 +198,8 @@ std::optional<SpaceVector> GlobePixels::at(int row, int column) const {
 }
 
 double GlobePixels::pixelsOfRadian() const {
-  return options_.view_from ? frame_.width / 2.0 : frame_.width / (2 * pi);
+  const double half_map = frame_.width / (shown_.xmax - shown_.xmin);
+  return options_.view_from ? half_map : half_map / pi;
 }
 
 }  // namespace vorpipe::core::checks

@@ -7,6 +7,7 @@
 #include <memory>
 #include <numbers>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "vorpipe.h"
@@ -54,6 +55,25 @@ class GlobeSites {
   std::unique_ptr<Tree> tree_;
 };
 
+/// An outline in degrees, whose sides are straight in longitude and latitude.
+class GlobeOutline {
+ public:
+  explicit GlobeOutline(const Outline& outline);
+
+  enum class Side : std::uint8_t { inside, outside, edge };
+  /// Where a place is; on the edge, if it is as near to a side as these may differ from great circles.
+  [[nodiscard]] Side at(const SpaceVector& place) const;
+
+ private:
+  struct Edge {
+    Point from, to;  ///< longitudes of any turn
+  };
+  void addRing(std::span<const Point> ring);
+
+  std::vector<std::vector<Edge>> by_degree_;  ///< of longitude
+  bool has_pole_ = false;                     ///< the north pole is inside
+};
+
 /// The places of a picture's pixels on the globe.
 class GlobePixels {
  public:
@@ -68,13 +88,14 @@ class GlobePixels {
   [[nodiscard]] double pixelsOfRadian() const;
 
  private:
-  /// From -1 to 1, right and upward.
+  /// From -1 to 1 on the map, right and upward.
   [[nodiscard]] Point partOf(int row, int column) const;
   /// How far a pixel is from the middle of the map's row, and the disc: 1 on the border.
   [[nodiscard]] double reachOf(int row, int column) const;
 
   RenderOptions options_;
   PictureFrame frame_;
+  Box shown_{-1, -1, 1, 1};               ///< part of the map
   std::vector<double> latitude_, width_;  ///< by row, of flat maps; in degrees, and of half the frame
 };
 

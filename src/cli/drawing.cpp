@@ -150,6 +150,22 @@ Result<void> takeColors(const PhotographFile& photograph, const Sites& sites, in
 
 namespace {
 
+/// All rings of the parts of an outline.
+Outline bordersOf(const std::vector<Outline>& parts) {
+  Outline borders;
+  if (parts.empty()) return borders;
+  borders.ring_offsets = borders.polygon_offsets = {0};
+  for (const Outline& part : parts) {
+    const auto points = borders.points.size(), rings = borders.ring_offsets.size() - 1;
+    borders.points.insert(borders.points.end(), part.points.begin(), part.points.end());
+    for (std::size_t r = 1; r < part.ring_offsets.size(); ++r)
+      borders.ring_offsets.push_back(points + part.ring_offsets[r]);
+    for (std::size_t p = 1; p < part.polygon_offsets.size(); ++p)
+      borders.polygon_offsets.push_back(rings + part.polygon_offsets[p]);
+  }
+  return borders;
+}
+
 /// Finds what the colors and the labels show of the sites.
 Result<void> takeAttributes(const PictureOptions& picture, const Input& input, RenderOptions& options) {
   if (!picture.color_attribute.empty()) {
@@ -176,7 +192,7 @@ Result<void> takeAttributes(const PictureOptions& picture, const Input& input, R
   }
   const auto unit = input.globe ? std::optional(1.0) : squareKilometersIn(input.system);
   if (options.legend_beside && options.legend_title.empty() && options.color == ColorBy::area && unit) {
-    options.legend_title = "area, km\u00B2";
+    options.legend_title = areas_in_kilometers;
     options.legend_factor = *unit;
   }
   return {};
@@ -191,9 +207,12 @@ Result<RenderOptions> pictureOf(const PictureOptions& picture, const InputOption
   options.outline = input.outline;
   options.periodic = input.periodic;
   options.globe = input.globe;
+  options.borders = bordersOf(input.parts);
   VORPIPE_TRY(checkMap(picture, input.globe));
-  if (input.globe && !input.outline.empty()) {
-    return inputError("--domain: pictures of --globe show the whole Earth");
+  if (input.globe && !options.view) {
+    auto shown = domainOnMap(options);
+    if (!shown) return asOption(std::move(shown.error()), sites);
+    options.view = *shown;
   }
   VORPIPE_TRY(takeSize(picture, options));
   options.fit = input.globe ? Fit::letterbox : picture.fit.value_or(usualFit(input));

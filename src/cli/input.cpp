@@ -106,18 +106,16 @@ Result<void> takeDomain(const InputOptions& options, Input& input, bool of_corne
   if (options.domain.space) {
     return inputError("--domain: six numbers are a box in space, where there are `cells` alone");
   }
-  DomainSettings settings{{},
-                          options.domain.file,
-                          options.domain.box,
-                          options.domain.hull,
-                          options.margin,
-                          options.repair,
-                          options.project,
-                          {},
-                          options.crs,
-                          {},
-                          of_corners,
-                          options.globe};
+  DomainSettings settings{.outline_name = options.domain.file,
+                          .box = options.domain.box,
+                          .hull = options.domain.hull,
+                          .margin = options.margin,
+                          .repair = options.repair,
+                          .project = options.project,
+                          .crs = options.crs,
+                          .keeps_whole = options.keeps_whole,
+                          .of_corners = of_corners,
+                          .globe = options.globe};
   if (!options.domain.file.empty()) {
     const auto attributes = options.by.empty() ? FeatureAttributes::dropped : FeatureAttributes::kept;
     auto read = readOutline(options.domain.file, options.domain_layer, attributes);

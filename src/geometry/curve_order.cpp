@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <limits>
-#include <numeric>
+#include <ranges>
 #include <span>
 
 #include "base/big_vector.h"
@@ -71,10 +71,12 @@ class Curve {
   std::array<std::array<Steps, 256>, 4> steps_{};
 };
 
-Box boxAround(const SiteSet& sites, std::span<const OnCurve> placed) {
+/// Around sites by a range of indices.
+template <class Indices>
+Box boxAround(const SiteSet& sites, const Indices& which) {
   constexpr double infinite = std::numeric_limits<double>::infinity();
   Box box{infinite, infinite, -infinite, -infinite};
-  for (const auto& [key, i] : placed) {
+  for (const std::uint32_t i : which) {
     box = {std::min(box.xmin, sites.x[i]), std::min(box.ymin, sites.y[i]), std::max(box.xmax, sites.x[i]),
            std::max(box.ymax, sites.y[i])};
   }
@@ -107,7 +109,7 @@ void sortFew(const SiteSet& sites, std::span<OnCurve> placed) {
     }
     return;
   }
-  const Box box = boxAround(sites, placed);
+  const Box box = boxAround(sites, std::views::transform(placed, &OnCurve::site));
   place(sites, box, placed);
   if (!(box.xmax > box.xmin || box.ymax > box.ymin)) return;
   sortFew(sites, placed);
@@ -169,19 +171,32 @@ class RadixSort {
 void sortAlongCurve(const SiteSet& sites, std::vector<std::uint32_t>& which, int threads) {
   if (which.empty()) return;
   BigVector<OnCurve> placed(which.size());
-  std::transform(which.begin(), which.end(), placed.begin(), [](std::uint32_t i) { return OnCurve{0, i}; });
-  const Box box = boxAround(sites, placed);
+  const Box box = boxAround(sites, which);
   parallelFor(placed.size(), curve_order_grain, threads, [&](std::size_t begin, std::size_t end) {
+    for (auto k = begin; k < end; ++k) placed[k] = {0, which[k]};
     place(sites, box, std::span(placed).subspan(begin, end - begin));
   });
   RadixSort(placed, threads).run();
-  for (std::size_t i = 0; i < placed.size();) {
-    auto j = i + 1;
-    while (j < placed.size() && placed[j].key >> RadixSort::low == placed[i].key >> RadixSort::low) ++j;
-    if (j - i > 1) sortFew(sites, std::span(placed).subspan(i, j - i));
-    i = j;
+  // Ranges end where the sorted digits do: what shares these is sorted by one thread.
+  const auto endsAt = [&](std::size_t k) {
+    return k == placed.size() || placed[k - 1].key >> RadixSort::low != placed[k].key >> RadixSort::low;
+  };
+  std::vector<std::size_t> bounds{0};
+  while (bounds.back() < placed.size()) {
+    auto end = std::min(bounds.back() + curve_order_grain, placed.size());
+    while (!endsAt(end)) ++end;
+    bounds.push_back(end);
   }
-  std::transform(placed.begin(), placed.end(), which.begin(), [](const OnCurve& p) { return p.site; });
+  parallelFor(bounds.size() - 1, 1, threads, [&](std::size_t range, std::size_t) {
+    const auto end = bounds[range + 1];
+    for (auto i = bounds[range]; i < end;) {
+      auto j = i + 1;
+      while (j < end && !endsAt(j)) ++j;
+      if (j - i > 1) sortFew(sites, std::span(placed).subspan(i, j - i));
+      i = j;
+    }
+    for (auto k = bounds[range]; k < end; ++k) which[k] = placed[k].site;
+  });
 }
 
 }  // namespace vorpipe::core

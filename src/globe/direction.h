@@ -6,6 +6,7 @@
 #include <span>
 #include <vector>
 
+#include "base/big_vector.h"
 #include "vorpipe/sites.h"
 
 namespace vorpipe::core {
@@ -43,9 +44,9 @@ Direction directionOf(Point degrees);
 /// is where x . p / cos(r) is largest among the sites (Sugihara 2002, Laguerre Voronoi diagram on the
 /// sphere): cells are what planes through the sites' vectors p / cos(r) support.
 struct SphereSites {
-  std::vector<Direction> direction;
-  std::vector<double> excess;     ///< by site: 1 / cos(r) - 1; empty without weights
-  std::vector<Direction> scaled;  ///< by site: p / cos(r); empty without weights
+  BigVector<Direction> direction;
+  BigVector<double> excess;     ///< by site: 1 / cos(r) - 1; empty without weights
+  BigVector<Direction> scaled;  ///< by site: p / cos(r); empty without weights
 
   [[nodiscard]] std::span<const Direction> vectors() const { return scaled.empty() ? direction : scaled; }
   [[nodiscard]] double excessOf(std::size_t site) const { return excess.empty() ? 0 : excess[site]; }

@@ -1,6 +1,10 @@
 #include "globe/globe_cells.h"
 
 #include <algorithm>
+#include <array>
+#include <functional>
+#include <numeric>
+#include <span>
 #include <vector>
 
 #include "base/parallel.h"
@@ -14,23 +18,59 @@
 namespace vorpipe::core {
 namespace {
 
-constexpr std::size_t globe_grain = 1024;
+constexpr std::size_t globe_grain = 512;
 
-/// Writes a cell's measures.
-void writeCell(const SphereSites& sites, const SphereCells& cells, std::size_t site, Diagram& diagram) {
-  const auto begin = cells.offsets[site], end = cells.offsets[site + 1];
-  std::span<double> lengths;
-  if (!diagram.edge_lengths.empty()) lengths = std::span(diagram.edge_lengths).subspan(begin, end - begin);
-  const SphereMeasures measures =
-      begin == end ? wholeSphere(sites.direction[site]) : measureCell(sites, cells, site, lengths);
-  diagram.area[site] = measures.area;
-  diagram.solid_angle[site] = measures.solid_angle;
-  diagram.centroid[site] = placeOf(measures.centroid);
-  if (diagram.perimeter.empty()) return;
-  const double radius = earthRadius();
-  diagram.perimeter[site] = radius * measures.perimeter;
-  for (double& length : lengths) length *= radius;
-}
+/// Cells and their measures, to be written at once: sites lie anywhere in the input, and one after another
+/// each cell would wait for memory.
+class CellsToWrite {
+ public:
+  explicit CellsToWrite(const SphereSites& sites) : sites_(sites) {}
+
+  void add(const SphereCell& cell) {
+    neighbor_.insert(neighbor_.end(), cell.neighbor.begin(), cell.neighbor.end());
+    place_.insert(place_.end(), cell.place.begin(), cell.place.end());
+    length_.resize(place_.size());
+    const auto lengths = std::span(length_).last(cell.place.size());
+    const SphereMeasures measures =
+        cell.vertex.empty() ? wholeSphere(cell.direction) : measureCell(sites_, cell, lengths);
+    cells_.push_back({cell.site, neighbor_.size(), measures, placeOf(measures.centroid)});
+  }
+
+  /// Writes the cells into rows whose places are known.
+  void write(Diagram& diagram) {
+    const double radius = earthRadius();
+    for (double& length : length_) length *= radius;
+    std::size_t begin = 0;
+    for (const auto& [site, end, measures, centroid] : cells_) {
+      const auto copyRow = [&](const auto& from, auto& to) {
+        if (!from.empty())
+          std::copy_n(from.data() + begin, end - begin, to.data() + diagram.cell_offsets[site]);
+      };
+      copyRow(neighbor_, diagram.neighbors);
+      copyRow(place_, diagram.vertices);
+      copyRow(length_, diagram.edge_lengths);
+      diagram.status[site] = Status::ok;
+      diagram.area[site] = measures.area;
+      diagram.solid_angle[site] = measures.solid_angle;
+      diagram.centroid[site] = centroid;
+      if (!diagram.perimeter.empty()) diagram.perimeter[site] = radius * measures.perimeter;
+      begin = end;
+    }
+  }
+
+ private:
+  struct Measured {
+    std::size_t site, end;  ///< of the cell's rows
+    SphereMeasures measures;
+    Point centroid;
+  };
+
+  const SphereSites& sites_;
+  std::vector<Measured> cells_;
+  std::vector<std::int64_t> neighbor_;
+  std::vector<Point> place_;
+  std::vector<double> length_;
+};
 
 /// Stages of a run, as large as each other, for the progress: the triangulation counts as two.
 constexpr std::size_t globe_stages = 4;
@@ -39,42 +79,67 @@ Result<void> reportStage(const Progress& progress, std::size_t done) {
   return reportProgress(progress, "cells", done, globe_stages);
 }
 
-Result<void> writeDiagram(const SphereSites& placed, const Sites& sites, const SphereCells& cells,
+/// Allocates a diagram's arrays, the larger ones at the same time: the time goes into their pages.
+void makeRoom(std::size_t sites, std::size_t edges, bool has_places, int threads, Diagram& diagram) {
+  const std::array<std::function<void()>, 3> tasks{[&] { diagram.neighbors.resize(edges); },
+                                                   [&] {
+                                                     diagram.area.resize(sites);
+                                                     diagram.solid_angle.resize(sites);
+                                                     diagram.centroid.resize(sites);
+                                                     diagram.status.resize(sites);
+                                                     if (has_places) diagram.perimeter.resize(sites);
+                                                   },
+                                                   [&] {
+                                                     if (!has_places) return;
+                                                     diagram.vertices.resize(edges);
+                                                     diagram.edge_lengths.resize(edges);
+                                                   }};
+  parallelEach(tasks.size(), 1, threadsForSteps(edges, threads), [&](std::size_t k) { tasks[k](); });
+}
+
+Result<void> writeDiagram(const SphereSites& placed, const Sites& sites, SphereCells& cells, bool has_places,
                           int threads, const Progress& progress, Diagram& diagram) {
   const auto count = sites.size();
-  const bool is_alone = cells.neighbor.empty(), has_places = !cells.place.empty() || is_alone;
-  diagram.status.assign(count, Status::ok);
-  diagram.area.resize(count);
-  diagram.solid_angle.resize(count);
-  diagram.centroid.resize(count);
-  if (has_places) diagram.perimeter.resize(count);
-  diagram.edge_lengths.resize(cells.place.size());
-  const auto write = [&](std::size_t i) {
-    const bool is_owned = diagram.owner[i] != i;
-    if (!is_owned && (is_alone || cells.offsets[i] < cells.offsets[i + 1])) {
-      writeCell(placed, cells, i, diagram);
-    } else {
-      diagram.status[i] = is_owned ? Status::duplicate : Status::empty;
-      diagram.centroid[i] = {sites.x[i], sites.y[i]};
-    }
-  };
-  const StageRange last{count, (globe_stages - 1) * count, globe_stages * count};
-  return runInSteps(progress, "cells", last, count, [&](std::size_t first, std::size_t some) -> Result<void> {
-    parallelEach(some, globe_grain, threads, [&](std::size_t k) { write(first + k); });
+  diagram.cell_offsets = std::move(cells.offsets);
+  const auto edges = diagram.cell_offsets.back();
+  makeRoom(count, edges, has_places || edges == 0, threads, diagram);
+  parallelEach(count, globe_grain, threads, [&](std::size_t i) {
+    if (diagram.cell_offsets[i] < diagram.cell_offsets[i + 1]) return;
+    diagram.status[i] = diagram.owner[i] != i ? Status::duplicate : Status::empty;
+    diagram.centroid[i] = {sites.x[i], sites.y[i]};
+  });
+  const auto steps = cells.steps();
+  const StageRange last{steps, (globe_stages - 1) * steps, globe_stages * steps};
+  return runInSteps(progress, "cells", last, steps, [&](std::size_t first, std::size_t some) -> Result<void> {
+    parallelFor(some, globe_grain, threads, [&](std::size_t begin, std::size_t end) {
+      CellsToWrite written(placed);
+      cells.visit(first + begin, first + end, [&](const SphereCell& cell) { written.add(cell); });
+      written.write(diagram);
+    });
     return {};
   });
 }
 
-/// The triangles by input index, counter-clockwise from the lowest.
-void writeTriangles(const SphereMesh& mesh, int threads, Diagram& diagram) {
+/// The triangles by input index, counter-clockwise from the lowest, ascending: a mesh has them in any order.
+void writeTriangles(const SphereMesh& mesh, std::size_t sites, int threads, Diagram& diagram) {
+  const auto lowest = [&](const MeshTriangle& triangle) {
+    const auto siteAt = [&](std::int32_t v) { return mesh.site[static_cast<std::size_t>(v)]; };
+    std::array<std::uint32_t, 3> named{};
+    std::ranges::transform(triangle.corner, named.begin(), siteAt);
+    std::ranges::rotate(named, std::ranges::min_element(named));
+    return named;
+  };
+  std::vector<std::uint32_t> end(sites + 1);
+  for (const MeshTriangle& triangle : mesh.triangles) ++end[lowest(triangle)[0] + std::size_t{1}];
+  std::partial_sum(end.begin(), end.end(), end.begin());
   diagram.triangles.resize(mesh.triangles.size());
-  parallelFor(mesh.triangles.size(), globe_grain, threads, [&](std::size_t begin, std::size_t end) {
-    for (auto t = begin; t < end; ++t) {
-      auto& triangle = diagram.triangles[t];
-      std::ranges::transform(mesh.triangles[t].corner, triangle.begin(),
-                             [&](auto v) { return mesh.site[static_cast<std::size_t>(v)]; });
-      std::ranges::rotate(triangle, std::ranges::min_element(triangle));
-    }
+  for (const MeshTriangle& triangle : mesh.triangles) {
+    const auto named = lowest(triangle);
+    diagram.triangles[end[named[0]]++] = named;
+  }
+  parallelEach(sites, globe_grain, threads, [&](std::size_t i) {
+    const auto at = [&](std::uint32_t k) { return diagram.triangles.begin() + k; };
+    std::sort(at(i > 0 ? end[i - 1] : 0), at(end[i]));
   });
 }
 
@@ -90,13 +155,11 @@ Result<Diagram> wholeCellsOn(const Sites& sites, const SphereSites& placed, cons
   VORPIPE_VAR(mesh, triangulateSphere(placed, threads));
   times.order = watch.milliseconds();
   VORPIPE_TRY(reportStage(progress, 2));
-  VORPIPE_VAR(cells, cellsOfSphere(placed, mesh, detail != Detail::measures, threads));
+  const bool has_places = detail != Detail::measures;
+  VORPIPE_VAR(cells, cellsOfSphere(placed, mesh, has_places, threads));
   diagram.owner = std::move(mesh.owner);
-  VORPIPE_TRY(writeDiagram(placed, sites, cells, threads, progress, diagram));
-  diagram.cell_offsets = std::move(cells.offsets);
-  diagram.neighbors = std::move(cells.neighbor);
-  diagram.vertices = std::move(cells.place);
-  if (detail == Detail::everything) writeTriangles(mesh, threads, diagram);
+  VORPIPE_TRY(writeDiagram(placed, sites, cells, has_places, threads, progress, diagram));
+  if (detail == Detail::everything) writeTriangles(mesh, sites.size(), threads, diagram);
   times.cells = watch.milliseconds() - times.order;
   return diagram;
 }
@@ -109,7 +172,7 @@ Result<Diagram> partCellsOn(const Machine& machine, const Sites& sites, const Sp
   const bool has_triangles = options.detail == Detail::everything;
   if (!has_triangles && placed.excess.empty()) return std::move(diagram);
   VORPIPE_LET(mesh, triangulateSphere(placed, threads));
-  if (has_triangles) writeTriangles(mesh, threads, diagram);
+  if (has_triangles) writeTriangles(mesh, sites.size(), threads, diagram);
   for (std::size_t v = 0; v < mesh.at.size(); ++v) {
     if (mesh.at[v] < 0 && mesh.owner[mesh.site[v]] == mesh.site[v]) ++diagram.report.hidden;
   }

@@ -8,7 +8,10 @@
 #include <vector>
 
 #include "base/inside.h"
+#include "base/try.h"
 #include "domain/degrees.h"
+#include "domain/edge_tree.h"
+#include "globe/chart.h"
 #include "globe/direction.h"
 #include "sites/weights.h"
 
@@ -71,6 +74,21 @@ class FirstNearest {
   double bound_ = std::numeric_limits<double>::infinity();
 };
 
+/// Polygons of an outline in the plane where cells are cut by them.
+struct InChart {
+  InChart(const Chart& of, Rings from) : chart(of), rings(std::move(from)), index(rings) {}
+
+  [[nodiscard]] bool contains(const Direction& place) const {
+    if (!chart.isNear(place)) return false;
+    const Point at = chart.toPlane(place);
+    return index.contains(at) || index.isOnEdge(at);
+  }
+
+  Chart chart;
+  Rings rings;
+  OutlineIndex index;
+};
+
 }  // namespace
 
 struct GlobePlaces::State {
@@ -91,16 +109,38 @@ struct GlobePlaces::State {
     return points;
   }
 
+  [[nodiscard]] bool contains(const Direction& place) const {
+    return inside.empty() ||
+           std::ranges::any_of(inside, [&](const auto& part) { return part->contains(place); });
+  }
+
   GlobeTreePoints points;
   GlobeTree tree;
+  std::vector<std::unique_ptr<InChart>> inside;  ///< empty without an outline
 };
 
-GlobePlaces::GlobePlaces(const Sites& sites) : state_(std::make_unique<State>(sites)) {}
+Result<GlobePlaces> GlobePlaces::make(const Sites& sites, const Outline& outline) {
+  GlobePlaces places;
+  places.state_ = std::make_unique<State>(sites);
+  if (outline.empty()) return places;
+  VORPIPE_LET(charts, chartsOf(outline));
+  for (const ChartedOutline& charted : charts) {
+    const Chart chart(charted.center);
+    VORPIPE_LET(plane, outlineIn(chart, charted));
+    VORPIPE_VAR(rings, ringsOf(plane, 0));
+    places.state_->inside.push_back(std::make_unique<InChart>(chart, std::move(rings)));
+  }
+  return places;
+}
+
+GlobePlaces::GlobePlaces() = default;
+GlobePlaces::GlobePlaces(GlobePlaces&&) noexcept = default;
 GlobePlaces::~GlobePlaces() = default;
 
 std::uint32_t GlobePlaces::at(Point degrees) const {
   if (!std::isfinite(degrees.x) || !(std::abs(degrees.y) <= quarter_turn)) return no_site;
   const Direction place = directionOf(degrees);
+  if (!state_->contains(place)) return no_site;
   const std::array<double, 4> query{place.x, place.y, place.z, 0};
   FirstNearest found(state_->points, place);
   state_->tree.findNeighbors(found, query.data(), {});

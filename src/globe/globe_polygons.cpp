@@ -1,12 +1,13 @@
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <utility>
 #include <vector>
 
 #include "domain/degrees.h"
 #include "domain/geos_outline.h"
 #include "domain/rings.h"
-#include "globe/sphere_cells.h"
+#include "globe/sphere_map.h"
 #include "vorpipe/cell.h"
 #include "vorpipe/globe.h"
 
@@ -27,19 +28,9 @@ void forEachPiece(const GreatArc& arc, double longest, const Add& add) {
   add(arc.end);
 }
 
-/// A side of a cell, from a vertex, by its index among all, to the next of its ring.
-GreatArc sideOf(const Sites& sites, const Diagram& diagram, const Cell& cell, std::uint64_t entry) {
-  const CellRings rings = cell.rings();
-  std::size_t ring = 0;
-  while (entry >= rings.end(ring)) ++ring;
-  const auto next = entry + 1 < rings.end(ring) ? entry + 1 : rings.begin(ring);
-  const Direction begin = directionOf(diagram.vertices[entry]), end = directionOf(diagram.vertices[next]);
-  // In an outline, sides are shorter than half a turn.
-  if (!diagram.ring_starts.empty()) {
-    return {begin, end, normalized(cross(begin, end)), angleBetween(begin, end)};
-  }
-  const auto neighbor = static_cast<std::size_t>(diagram.neighbors[entry]);
-  return arcBetween(vectorOf(sites, cell.index()), vectorOf(sites, neighbor), begin, end, next == entry);
+/// The shorter way between two directions.
+GreatArc shorterArc(const Direction& begin, const Direction& end) {
+  return {begin, end, normalized(cross(begin, end)), angleBetween(begin, end)};
 }
 
 /// A ring, or a line, of longitudes and latitudes. Longitudes continue from point to point, beyond half a
@@ -156,9 +147,9 @@ class UnrolledBorder {
 
 /// A ring of a cell, from vertex to vertex along great circles.
 template <class ArcAt>
-std::vector<Point> unrolled(std::span<const Point> vertices, const ArcAt& arcAt) {
+std::vector<Point> unrolled(const std::vector<Direction>& vertices, const ArcAt& arcAt) {
   // A ring begins elsewhere than at a pole, where it would have no longitude.
-  const auto isAtPole = [&](std::size_t k) { return std::abs(vertices[k].y) == quarter_turn; };
+  const auto isAtPole = [&](std::size_t k) { return std::abs(placeOf(vertices[k]).y) == quarter_turn; };
   std::size_t first = 0;
   while (first + 1 < vertices.size() && isAtPole(first)) ++first;
   UnrolledBorder border;
@@ -269,34 +260,59 @@ void addCut(std::vector<std::vector<Point>> rings, Outline& outline) {
   }
 }
 
-}  // namespace
-
-Outline globePolygons(const Sites& sites, const Diagram& diagram, std::size_t site) {
+/// The polygons of a cell of the whole sphere.
+Outline wholePolygons(const Sites& sites, const Diagram& diagram, const Cell& cell) {
   Outline outline;
-  if (diagram.status[site] != Status::ok) return outline;
-  const Cell cell = diagram.cell(site);
-  const CellRings rings = cell.rings();
-  const bool is_whole = diagram.ring_starts.empty();
-  if (is_whole && rings.empty()) {
+  if (cell.rings().empty()) {
     addRing(std::array{Point{-half_turn, -quarter_turn}, Point{half_turn, -quarter_turn},
                        Point{half_turn, quarter_turn}, Point{-half_turn, quarter_turn}},
             false, outline);
     return outline;
   }
-  const auto arcAt = [&](std::size_t ring, std::size_t k) {
-    return sideOf(sites, diagram, cell, rings.begin(ring) + k);
-  };
-  std::vector<std::vector<Point>> polygon;
+  std::vector<Direction> vertices;
+  std::ranges::transform(cell.vertices(), std::back_inserter(vertices), directionOf);
+  const auto ring = unrolled(
+      vertices, [&](std::size_t k) { return sideOf(sites, diagram, cell.index(), cell.begin() + k); });
+  const Turns turns = turnsOf(ring);
+  for (double turn = turns.first; turn <= turns.last; ++turn) {
+    const auto part = within(ring, turn * whole_turn);
+    if (part.size() >= 3) addRing(part, false, outline);
+  }
+  return outline;
+}
+
+}  // namespace
+
+GreatArc core::sideOf(const Sites& sites, const Diagram& diagram, std::size_t site, std::uint64_t entry) {
+  const Cell cell = diagram.cell(site);
+  const CellRings rings = cell.rings();
+  std::size_t ring = 0;
+  while (entry >= rings.end(ring)) ++ring;
+  const auto next = entry + 1 < rings.end(ring) ? entry + 1 : rings.begin(ring);
+  const Direction begin = directionOf(diagram.vertices[entry]), end = directionOf(diagram.vertices[next]);
+  // In an outline, sides are shorter than half a turn.
+  if (!diagram.ring_starts.empty()) return shorterArc(begin, end);
+  const auto neighbor = static_cast<std::size_t>(diagram.neighbors[entry]);
+  return arcBetween(vectorOf(sites, site), vectorOf(sites, neighbor), begin, end, next == entry);
+}
+
+SpherePolygon core::sphereRingsOf(const Diagram& diagram, std::size_t site) {
+  SpherePolygon found;
+  const CellRings rings(diagram, site);
   for (std::size_t r = 0; r < rings.size(); ++r) {
-    auto ring = unrolled(rings[r], [&](std::size_t k) { return arcAt(r, k); });
-    if (is_whole) {
-      const Turns turns = turnsOf(ring);
-      for (double turn = turns.first; turn <= turns.last; ++turn) {
-        const auto part = within(ring, turn * whole_turn);
-        if (part.size() >= 3) addRing(part, false, outline);
-      }
-      continue;
-    }
+    auto& ring = found.emplace_back();
+    std::ranges::transform(rings[r], std::back_inserter(ring), directionOf);
+  }
+  return found;
+}
+
+Outline core::polygonsInDegrees(const SpherePolygon& rings) {
+  Outline outline;
+  std::vector<std::vector<Point>> polygon;
+  for (const auto& directions : rings) {
+    auto ring = unrolled(directions, [&](std::size_t k) {
+      return shorterArc(directions[k], directions[k + 1 < directions.size() ? k + 1 : 0]);
+    });
     const bool is_hole =
         !polygon.empty() && (areaOfRing(ring) < 0 || (isAround(ring) && isAround(polygon.front())));
     if (!is_hole && !polygon.empty()) addCut(std::exchange(polygon, {}), outline);
@@ -306,11 +322,16 @@ Outline globePolygons(const Sites& sites, const Diagram& diagram, std::size_t si
   return outline;
 }
 
+Outline globePolygons(const Sites& sites, const Diagram& diagram, std::size_t site) {
+  if (diagram.status[site] != Status::ok) return {};
+  if (!diagram.ring_starts.empty()) return polygonsInDegrees(sphereRingsOf(diagram, site));
+  return wholePolygons(sites, diagram, diagram.cell(site));
+}
+
 std::vector<Point> globeEdge(const Sites& sites, const Diagram& diagram, std::size_t site,
                              std::uint64_t edge) {
-  const Cell cell = diagram.cell(site);
   UnrolledBorder line;
-  line.add(sideOf(sites, diagram, cell, edge));
+  line.add(sideOf(sites, diagram, site, edge));
   return std::move(line).line();
 }
 
@@ -371,7 +392,7 @@ GlobeBorder globeBorder(const Sites& sites, const Diagram& diagram, std::size_t 
     addArc({begin, begin, axis, whole_turn * degree});
     border.begins.clear();
   }
-  for (auto entry = cell.begin(); entry < cell.end(); ++entry) addArc(sideOf(sites, diagram, cell, entry));
+  for (auto entry = cell.begin(); entry < cell.end(); ++entry) addArc(sideOf(sites, diagram, site, entry));
   return border;
 }
 

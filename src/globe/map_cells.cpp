@@ -1,9 +1,12 @@
 #include <algorithm>
 #include <limits>
+#include <optional>
 #include <utility>
 
 #include "base/parallel.h"
+#include "base/try.h"
 #include "domain/degrees.h"
+#include "domain/rings.h"
 #include "globe/sphere_map.h"
 #include "vorpipe/cell.h"
 #include "vorpipe/globe.h"
@@ -61,7 +64,7 @@ MapLines linesBetween(const Diagram& diagram, int threads, const Draw& arcOfEdge
     for (auto i = begin; i < end; ++i) {
       const auto neighbors = diagram.cell(i).neighbors();
       for (std::size_t k = 0; k < neighbors.size(); ++k) {
-        if (static_cast<std::size_t>(neighbors[k]) < i) continue;
+        if (neighbors[k] < static_cast<std::int64_t>(i)) continue;
         for (const auto& line : linesOf(map, arcOfEdge(i, k))) append(line, lines);
       }
     }
@@ -74,22 +77,76 @@ MapLines linesBetween(const Diagram& diagram, int threads, const Draw& arcOfEdge
   return all;
 }
 
+/// Rings that are filled by the even-odd rule, each a polygon here.
+Outline outlineOf(const std::vector<std::vector<Point>>& rings) {
+  Outline outline;
+  if (rings.empty()) return outline;
+  outline.ring_offsets = outline.polygon_offsets = {0};
+  for (const auto& ring : rings) {
+    outline.points.insert(outline.points.end(), ring.begin(), ring.end());
+    outline.ring_offsets.push_back(outline.points.size());
+    outline.polygon_offsets.push_back(outline.ring_offsets.size() - 1);
+  }
+  return outline;
+}
+
+using MapRings = std::vector<std::vector<Point>>;
+
+/// Adds what a map shows of an outline.
+Result<void> addRings(const SphereMap& map, const Outline& degrees, MapRings& rings) {
+  VORPIPE_LET(polygons, spherePolygonsOf(degrees));
+  for (const SpherePolygon& polygon : polygons) {
+    for (auto& ring : ringsOf(map, polygon)) rings.push_back(std::move(ring));
+  }
+  return {};
+}
+
+/// What a map shows of each polygon by itself: neighbors share sides.
+Result<Outline> bordersOnMap(const SphereMap& map, const Outline& degrees) {
+  MapRings rings;
+  for (std::size_t p = 0; p + 1 < degrees.polygon_offsets.size(); ++p) {
+    MapRings polygon;
+    for (auto r = degrees.polygon_offsets[p]; r < degrees.polygon_offsets[p + 1]; ++r) {
+      const auto ring = ringAt(degrees, r);
+      polygon.emplace_back(ring.begin(), ring.end());
+    }
+    Outline alone = outlineOf(polygon);
+    alone.polygon_offsets = {0, polygon.size()};
+    VORPIPE_TRY(addRings(map, alone, rings));
+  }
+  return outlineOf(rings);
+}
+
 }  // namespace
 
-RenderOptions optionsOnMap(const RenderOptions& options) {
+Result<std::optional<Box>> domainOnMap(const RenderOptions& options) {
+  if (options.view_from || options.outline.empty()) return std::nullopt;
+  VORPIPE_LET(plane, optionsOnMap(options));
+  const Box box = boxOf(plane.outline.points), &whole = plane.domain;
+  if (2 * (box.xmax - box.xmin) > whole.xmax - whole.xmin) return std::nullopt;
+  return box;
+}
+
+Result<RenderOptions> optionsOnMap(const RenderOptions& options) {
   const SphereMap map(options);
   RenderOptions plane = options;
   plane.globe = false;
   plane.domain = map.box();
   plane.fit = Fit::letterbox;
   plane.periodic = Periodic::none;
-  plane.view.reset();
+  plane.graticule = 0;
   plane.outline = {};
-  if (auto border = map.border(); !border.empty()) {
-    plane.outline.points = std::move(border);
-    plane.outline.ring_offsets = {0, plane.outline.points.size()};
-    plane.outline.polygon_offsets = {0, 1};
+  if (!options.borders.empty()) {
+    VORPIPE_VAR(borders, bordersOnMap(map, options.borders));
+    plane.borders = std::move(borders);
   }
+  if (options.outline.empty()) {
+    if (const auto border = map.border(); !border.empty()) plane.outline = outlineOf({border});
+    return plane;
+  }
+  MapRings rings;
+  VORPIPE_TRY(addRings(map, options.outline, rings));
+  plane.outline = outlineOf(rings);
   return plane;
 }
 
@@ -109,13 +166,15 @@ Sites sitesOnMap(const Sites& sites, const RenderOptions& options) {
   return shown;
 }
 
-MapCells cellsOnMap(const Sites& sites, const Diagram& diagram, const RenderOptions& options, int threads) {
+Result<MapCells> cellsOnMap(const Sites& sites, const Diagram& diagram, const RenderOptions& options,
+                            int threads) {
   const SphereMap map(options);
   const auto vectors = vectorsOf(sites, threads);
   std::vector<std::vector<std::vector<Point>>> rings(sites.size());
   parallelEach(sites.size(), map_grain, threadCount(threads),
                [&](std::size_t i) { rings[i] = ringsOf(map, sites, vectors, diagram, i); });
-  MapCells cells{optionsOnMap(options), sitesOnMap(sites, options), {}};
+  VORPIPE_VAR(plane, optionsOnMap(options));
+  MapCells cells{std::move(plane), sitesOnMap(sites, options), {}};
   Diagram& flat = cells.diagram;
   flat.status = diagram.status;
   flat.owner = diagram.owner;
@@ -132,6 +191,10 @@ MapCells cellsOnMap(const Sites& sites, const Diagram& diagram, const RenderOpti
 
 MapLines edgesOnMap(const Sites& sites, const Diagram& diagram, const RenderOptions& options, int threads) {
   const SphereMap map(options);
+  const auto sideAt = [&](std::size_t site, std::size_t k) {
+    return sideOf(sites, diagram, site, diagram.cell_offsets[site] + k);
+  };
+  if (!diagram.ring_starts.empty()) return linesBetween(diagram, threads, sideAt, map);
   const auto vectors = vectorsOf(sites, threads);
   return linesBetween(
       diagram, threads, [&](std::size_t site, std::size_t k) { return arcOf(vectors, diagram, site, k); },

@@ -49,17 +49,25 @@ bool isAlongHorizon(const SphereMap& map, const GreatArc& arc) {
   return std::hypot(dot(arc.begin, map.viewer()), dot(cross(arc.axis, arc.begin), map.viewer())) < same;
 }
 
-/// The stretches of an arc on the viewer's side of the horizon.
-std::vector<Stretch> facing(const SphereMap& map, const GreatArc& arc) {
-  std::vector<double> ends{0};
-  for (const double angle : crossings(arc, map.viewer())) ends.push_back(angle);
-  ends.push_back(arc.angle);
-  std::vector<Stretch> shown;
-  for (std::size_t k = 0; k + 1 < ends.size(); ++k) {
-    if (dot(along(arc, (ends[k] + ends[k + 1]) / 2), map.viewer()) >= -same)
-      shown.push_back({ends[k], ends[k + 1]});
+bool isFacing(const SphereMap& map, const GreatArc& arc, Stretch stretch) {
+  return dot(along(arc, (stretch.from + stretch.to) / 2), map.viewer()) >= -same;
+}
+
+/// The stretches of an arc between its crossings of the horizon.
+std::vector<Stretch> betweenHorizons(const SphereMap& map, const GreatArc& arc) {
+  std::vector<Stretch> stretches{{0, arc.angle}};
+  for (const double angle : crossings(arc, map.viewer())) {
+    stretches.back().to = angle;
+    stretches.push_back({angle, arc.angle});
   }
-  return shown;
+  return stretches;
+}
+
+/// Those on the viewer's side of it.
+std::vector<Stretch> facing(const SphereMap& map, const GreatArc& arc) {
+  auto stretches = betweenHorizons(map, arc);
+  std::erase_if(stretches, [&](Stretch stretch) { return !isFacing(map, arc, stretch); });
+  return stretches;
 }
 
 /// The stretches of an arc between the antimeridian and the poles.
@@ -93,7 +101,7 @@ Point placeAtEnd(const Direction& end, const Direction& inside) {
 class SmoothLine {
  public:
   SmoothLine(const SphereMap& map, const GreatArc& arc, Stretch stretch)
-      : map_(map), arc_(arc), most_off_(part_of_box * (map.box().xmax - map.box().xmin)) {
+      : map_(map), arc_(arc), most_off_(part_of_box * map.shownWidth()) {
     const Direction inside = along(arc, (stretch.from + stretch.to) / 2);
     const Point first = end(along(arc, stretch.from), inside), last = end(along(arc, stretch.to), inside);
     points_.push_back(first);
@@ -205,6 +213,95 @@ std::vector<Point> seenRing(const SphereMap& map, const std::vector<Direction>& 
   return ring;
 }
 
+/// Rings around what the viewer sees of a polygon. Its sides on the near half of the sphere are chains, each
+/// from where it comes over the horizon to where it goes below. From there the horizon leads,
+/// counter-clockwise as the inside lies to the left, to the next beginning of a chain.
+class SeenPolygon {
+ public:
+  explicit SeenPolygon(const SphereMap& map) : map_(map) {}
+
+  void add(const std::vector<Direction>& ring) {
+    std::vector<Side> sides;
+    for (std::size_t k = 0; k < ring.size(); ++k) {
+      const Direction &from = ring[k], &to = ring[k + 1 < ring.size() ? k + 1 : 0];
+      const Direction turn = cross(from, to);
+      if (!(lengthOf(turn) > 0)) continue;
+      const GreatArc arc{from, to, normalized(turn), angleBetween(from, to)};
+      for (const Stretch stretch : betweenHorizons(map_, arc))
+        sides.push_back({arc, stretch, isFacing(map_, arc, stretch)});
+    }
+    const auto hidden = std::ranges::find(sides, false, &Side::is_seen);
+    std::rotate(sides.begin(), hidden, sides.end());
+    bool goes_on = hidden == sides.end();
+    if (goes_on) rings_.emplace_back();
+    for (const Side& side : sides) {
+      const Direction from = along(side.arc, side.stretch.from), to = along(side.arc, side.stretch.to);
+      if (side.is_seen && !goes_on) chains_.push_back({{}, from, to});
+      goes_on = side.is_seen;
+      if (!side.is_seen) continue;
+      const bool is_whole = hidden == sides.end();
+      append(SmoothLine(map_, side.arc, side.stretch).take(),
+             is_whole ? rings_.back() : chains_.back().points);
+      if (!is_whole) chains_.back().to = to;
+    }
+  }
+
+  std::vector<std::vector<Point>> take() {
+    while (!chains_.empty()) {
+      std::vector<Point>& ring = rings_.emplace_back();
+      const Direction begin = chains_.front().from;
+      std::size_t next = 0;
+      do {
+        const Chain chain = std::move(chains_[next]);
+        chains_.erase(chains_.begin() + static_cast<std::ptrdiff_t>(next));
+        append(chain.points, ring);
+        next = nextFrom(chain.to, begin);
+        append(horizonBetween(map_, chain.to, next < chains_.size() ? chains_[next].from : begin), ring);
+      } while (next < chains_.size());
+    }
+    for (auto& ring : rings_) {
+      while (ring.size() > 1 && ring.front() == ring.back()) ring.pop_back();
+    }
+    return std::move(rings_);
+  }
+
+ private:
+  struct Side {
+    GreatArc arc;
+    Stretch stretch;
+    bool is_seen;
+  };
+  struct Chain {
+    std::vector<Point> points;
+    Direction from, to;
+  };
+
+  /// The angle from one direction of the horizon counter-clockwise to another.
+  [[nodiscard]] double angleOn(const Direction& from, const Direction& to) const {
+    constexpr double rounding = 1e-9;
+    const double angle = std::atan2(dot(map_.viewer(), cross(from, to)), dot(from, to));
+    return angle < -rounding ? angle + 2 * half_circle : std::max(angle, 0.0);
+  }
+
+  /// The chain that begins next on the horizon; beyond the last of them if the ring's own beginning is
+  /// nearer.
+  [[nodiscard]] std::size_t nextFrom(const Direction& at, const Direction& begin) const {
+    std::size_t next = chains_.size();
+    double least = angleOn(at, begin);
+    for (std::size_t k = 0; k < chains_.size(); ++k) {
+      const double angle = angleOn(at, chains_[k].from);
+      if (angle >= least) continue;
+      least = angle;
+      next = k;
+    }
+    return next;
+  }
+
+  const SphereMap& map_;
+  std::vector<Chain> chains_;
+  std::vector<std::vector<Point>> rings_;
+};
+
 /// A ring of degrees on a flat map. Its sides along the antimeridian are curves.
 std::vector<Point> flatRing(const SphereMap& map, std::span<const Point> degrees) {
   std::vector<Point> ring;
@@ -216,6 +313,18 @@ std::vector<Point> flatRing(const SphereMap& map, std::span<const Point> degrees
     for (int j = 1; j < steps; ++j) ring.push_back(map.flat({from.x, from.y + (to.y - from.y) * j / steps}));
   }
   return ring;
+}
+
+std::vector<std::vector<Point>> withArea(std::vector<std::vector<Point>> rings) {
+  std::erase_if(rings, [](const auto& ring) { return ring.size() < fewest_corners; });
+  return rings;
+}
+
+std::vector<std::vector<Point>> flatRings(const SphereMap& map, const Outline& degrees) {
+  std::vector<std::vector<Point>> rings;
+  for (std::size_t r = 0; r + 1 < degrees.ring_offsets.size(); ++r)
+    rings.push_back(flatRing(map, ringAt(degrees, r)));
+  return withArea(std::move(rings));
 }
 
 }  // namespace
@@ -249,20 +358,20 @@ std::vector<std::vector<Point>> linesOf(const SphereMap& map, const GreatArc& ar
   return lines;
 }
 
+std::vector<std::vector<Point>> ringsOf(const SphereMap& map, const SpherePolygon& polygon) {
+  if (map.isFlat()) return flatRings(map, polygonsInDegrees(polygon));
+  SeenPolygon seen(map);
+  for (const auto& ring : polygon) seen.add(ring);
+  return withArea(seen.take());
+}
+
 std::vector<std::vector<Point>> ringsOf(const SphereMap& map, const Sites& sites,
                                         const std::vector<Direction>& vectors, const Diagram& diagram,
                                         std::size_t site) {
   if (diagram.status[site] != Status::ok) return {};
-  std::vector<std::vector<Point>> rings;
-  if (map.isFlat()) {
-    const Outline polygons = globePolygons(sites, diagram, site);
-    for (std::size_t r = 0; r + 1 < polygons.ring_offsets.size(); ++r)
-      rings.push_back(flatRing(map, ringAt(polygons, r)));
-  } else {
-    rings.push_back(seenRing(map, vectors, diagram, site));
-  }
-  std::erase_if(rings, [](const auto& ring) { return ring.size() < fewest_corners; });
-  return rings;
+  if (!diagram.ring_starts.empty()) return ringsOf(map, sphereRingsOf(diagram, site));
+  if (map.isFlat()) return flatRings(map, globePolygons(sites, diagram, site));
+  return withArea({seenRing(map, vectors, diagram, site)});
 }
 
 }  // namespace vorpipe::core

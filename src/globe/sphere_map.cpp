@@ -60,7 +60,8 @@ const Box& boxOfMap(const RenderOptions& options) {
 SphereMap::SphereMap(const RenderOptions& options)
     : equal_earth_(!options.view_from && options.map == GlobeMap::equal_earth),
       seen_from_(options.view_from.has_value()),
-      box_(boxOfMap(options)) {
+      box_(boxOfMap(options)),
+      shown_width_(options.view ? options.view->xmax - options.view->xmin : box_.xmax - box_.xmin) {
   if (!seen_from_) return;
   viewer_ = directionOf(*options.view_from);
   right_ = directionOf({options.view_from->x + quarter_turn, 0});
@@ -111,6 +112,7 @@ SphereMap::Row::Row(const SphereMap& map, double y) : map_(map), y_(y) {
 }
 
 std::optional<Direction> SphereMap::Row::at(double x) const {
+  if (!(y_ >= map_.box_.ymin && y_ <= map_.box_.ymax)) return std::nullopt;
   if (map_.isFlat()) {
     const double longitude = radians_ * x;
     if (!(std::abs(longitude) <= std::numbers::pi)) return std::nullopt;

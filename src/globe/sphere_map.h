@@ -2,9 +2,11 @@
 #pragma once
 
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "domain/degrees.h"
+#include "globe/chart.h"
 #include "globe/direction.h"
 #include "globe/sphere_cells.h"
 #include "vorpipe/picture.h"
@@ -16,7 +18,7 @@ inline constexpr double antimeridian = whole_turn / 2;  ///< longitude, in degre
 /// Degrees between points along the antimeridian, which is a curve on some maps.
 inline constexpr double border_step = 0.5;
 
-/// The box around the map that a picture of the globe shows, in the map's unit: degrees, meters, or radii of
+/// The box around the whole map of a picture of the globe, in the map's unit: degrees, meters, or radii of
 /// the globe.
 const Box& boxOfMap(const RenderOptions& options);
 
@@ -26,6 +28,8 @@ class SphereMap {
   explicit SphereMap(const RenderOptions& options);
 
   [[nodiscard]] const Box& box() const { return box_; }
+  /// The width of what the picture shows of it.
+  [[nodiscard]] double shownWidth() const { return shown_width_; }
   [[nodiscard]] bool isFlat() const { return !seen_from_; }
 
   /// Where a flat map has a place in degrees, of longitude -180 to 180.
@@ -58,6 +62,7 @@ class SphereMap {
   bool equal_earth_;
   bool seen_from_;
   Box box_;
+  double shown_width_;
   Direction viewer_{}, right_{}, up_{};
 };
 
@@ -70,9 +75,21 @@ std::vector<std::vector<Point>> ringsOf(const SphereMap& map, const Sites& sites
                                         const std::vector<Direction>& vectors, const Diagram& diagram,
                                         std::size_t site);
 
-/// Edge k of a site's cell.
+/// Rings around what a map shows of a polygon.
+std::vector<std::vector<Point>> ringsOf(const SphereMap& map, const SpherePolygon& polygon);
+
+/// Edge k of a site's cell on the whole sphere.
 GreatArc arcOf(const std::vector<Direction>& vectors, const Diagram& diagram, std::size_t site,
                std::size_t edge);
+
+/// The edge of a site's cell with an index in Diagram::neighbors, from its vertex to the next of its ring.
+GreatArc sideOf(const Sites& sites, const Diagram& diagram, std::size_t site, std::uint64_t entry);
+
+/// The rings of a cell in an outline.
+SpherePolygon sphereRingsOf(const Diagram& diagram, std::size_t site);
+
+/// Polygons in degrees as of globePolygons(), of rings whose sides are shorter than half a turn.
+Outline polygonsInDegrees(const SpherePolygon& rings);
 
 /// The vector of each site, as in SphereSites.
 std::vector<Direction> vectorsOf(const Sites& sites, int threads);

@@ -72,10 +72,44 @@ double angleOf(double y, double x) {
 /// at once.
 constexpr double small_cell = 1e-4, longest_arc = 0.25;  // radians
 
+/// cos(p t) / cos(t) and sin(p t) / (p sin(t)), less 1, as series in t^2 (1 - p^2), up to t = `short_half`.
+class PointOfHalf {
+ public:
+  static constexpr double short_half = 0.02;
+
+  constexpr explicit PointOfHalf(double part) : part_(part) {
+    const double p = part * part, q = p * p;
+    even_ = {1.0 / 2, (5 - p) / 24, (61 - 14 * p + q) / 720, (1385 - (323 - (27 - p) * p) * p) / 40320};
+    odd_ = {1.0 / 6, (7 - 3 * p) / 360, (31 - 18 * p + 3 * q) / 15120,
+            (381 - (239 - (55 - 5 * p) * p) * p) / 1814400};
+  }
+
+  struct Shares {
+    double of_middle, of_half;
+  };
+  /// The place of an arc at this part of its half angle, by its chord's middle and half.
+  [[nodiscard]] Shares at(double half_angle) const {
+    if (half_angle >= short_half) {
+      const double angle = part_ * half_angle;
+      return {std::cos(angle) / std::cos(half_angle), std::sin(angle) / std::sin(half_angle)};
+    }
+    const double squared = half_angle * half_angle, lack = (1 - part_ * part_) * squared;
+    const auto sum = [squared](const std::array<double, 4>& series) {
+      return series[0] + squared * (series[1] + squared * (series[2] + squared * series[3]));
+    };
+    return {1 + lack * sum(even_), part_ * (1 + lack * sum(odd_))};
+  }
+
+ private:
+  double part_;
+  std::array<double, 4> even_{}, odd_{};
+};
+
 /// Adds up a cell over short arcs of its border.
 class Sums {
  public:
-  explicit Sums(const Direction& apex) : apex_(apex) {}
+  /// `is_small`: the centroid is to be that of flat triangles from the apex.
+  Sums(const Direction& apex, bool is_small) : apex_(apex), is_small_(is_small) {}
 
   /// Returns the arc's angle, which is the same to the last bit from its other end.
   double add(const Direction& from, const Direction& to) {
@@ -84,13 +118,14 @@ class Sums {
     const double solid =
         2 * angleOf(dot(apex_, across), 1 + dot(apex_, from) + dot(from, to) + dot(to, apex_));
     solid_ += solid;
-    flat_ = flat_ + solid / 3 * (a + b);
+    if (is_small_) center_ = center_ + solid / 3 * (a + b);
     const Direction turn = cross(from, to);
     const double sine = lengthOf(turn), angle = angleOf(sine, dot(from, to));
     perimeter_ += angle;
     if (sine == 0) return angle;
-    normals_ = normals_ + angle / (2 * sine) * turn;
-    ellipsoid_ += turn.z * angle / sine * meanDifference(from, to, angle / 2);
+    const double longer = angle / sine;
+    if (!is_small_) center_ = center_ + longer / 2 * turn;
+    ellipsoid_ += turn.z * longer * meanDifference(from, to, angle / 2);
     return angle;
   }
 
@@ -106,50 +141,37 @@ class Sums {
     return arc.angle;
   }
 
-  [[nodiscard]] SphereMeasures measures(bool is_small) const {
-    const Direction center = is_small ? apex_ + 1 / solid_ * flat_ : normals_;
+  [[nodiscard]] SphereMeasures measures() const {
+    const Direction center = is_small_ ? apex_ + 1 / solid_ * center_ : center_;
     return {solid_, squaredRadius() * (solid_ + ellipsoid_), perimeter_, normalized(center)};
   }
 
  private:
-  /// The mean along an arc of half this angle to each side, by Gauss's rule of four points; of a short one,
-  /// of two.
+  /// The mean along an arc of half this angle to each side, by Gauss's rules of two, three and four points.
   static double meanDifference(const Direction& from, const Direction& to, double half_angle) {
-    constexpr double is_short = 2e-3;  // the fourth power of this, by 270, is rounding
-    if (half_angle < is_short) {
-      constexpr double inner = 0.57735026918962576;
-      const double middle = 0.5 * (from.z + to.z), half = 0.5 * (to.z - from.z);
-      const auto [even, odd] = partsAt(inner, half_angle);
-      return (difference(even * middle + odd * half) + difference(even * middle - odd * half)) / 2;
-    }
-    constexpr std::array<double, 2> at{0.33998104358485626, 0.86113631159405258};
-    constexpr std::array<double, 2> weight{0.65214515486254614, 0.34785484513745386};
+    // The fourth power of the first, by 270, is rounding, and the sixth of the second, by 31500.
+    constexpr double for_two = 2e-3, for_three = PointOfHalf::short_half;
     const double middle = 0.5 * (from.z + to.z), half = 0.5 * (to.z - from.z);
-    double sum = 0;
-    for (std::size_t k = 0; k < at.size(); ++k) {
-      const auto [even, odd] = partsAt(at[k], half_angle);
-      sum += weight[k] * (difference(even * middle + odd * half) + difference(even * middle - odd * half));
+    const auto atBoth = [&](const PointOfHalf& point) {
+      const auto [even, odd] = point.at(half_angle);
+      return difference(even * middle + odd * half) + difference(even * middle - odd * half);
+    };
+    if (half_angle < for_two) {
+      static constexpr PointOfHalf inner(0.57735026918962576);
+      return atBoth(inner) / 2;
     }
-    return sum / 2;
-  }
-
-  struct Parts {
-    double of_middle, of_half;
-  };
-  /// The point of an arc at this part of its half, by its chord's middle and half.
-  static Parts partsAt(double part, double half_angle) {
-    constexpr double flat = 1e-3;
-    const double angle = part * half_angle;
-    if (half_angle >= flat) {
-      return {std::cos(angle) / std::cos(half_angle), std::sin(angle) / std::sin(half_angle)};
+    if (half_angle < for_three) {
+      static constexpr PointOfHalf center(0), outer(0.77459666924148338);
+      return (8 * difference(center.at(half_angle).of_middle * middle) + 5 * atBoth(outer)) / 18;
     }
-    const double lack = (half_angle * half_angle - angle * angle) / 2;
-    return {1 + lack, part * (1 + lack / 3)};
+    static constexpr PointOfHalf inner(0.33998104358485626), outer(0.86113631159405258);
+    return (0.65214515486254614 * atBoth(inner) + 0.34785484513745386 * atBoth(outer)) / 2;
   }
 
   Direction apex_;
+  bool is_small_;
   double solid_ = 0, perimeter_ = 0, ellipsoid_ = 0;
-  Direction flat_{0, 0, 0}, normals_{0, 0, 0};
+  Direction center_{0, 0, 0};
 };
 
 }  // namespace
@@ -158,32 +180,31 @@ double earthRadius() { return std::sqrt(squaredRadius()); }
 
 SphereMeasures wholeSphere(const Direction& site) { return {4 * pi, 4 * pi * squaredRadius(), 0, site}; }
 
-SphereMeasures measureCell(const SphereSites& sites, const SphereCells& cells, std::size_t site,
-                           std::span<double> lengths) {
+SphereMeasures measureCell(const SphereSites& sites, const SphereCell& cell, std::span<double> lengths) {
   constexpr double large = 1;  // radians
-  const Direction& own = sites.direction[site];
-  const auto begin = cells.offsets[site], end = cells.offsets[site + 1];
+  const auto count = cell.vertex.size();
+  const auto squareOf = [](const Direction& a) { return dot(a, a); };
   double reach = 0;
-  for (auto e = begin; e < end; ++e) reach = std::max(reach, lengthOf(cells.vertex[e] - own));
-  Direction apex = own;
-  if (reach > large) {
+  for (const Direction& vertex : cell.vertex) reach = std::max(reach, squareOf(vertex - cell.direction));
+  Direction apex = cell.direction;
+  if (reach > large * large) {
     Direction center{0, 0, 0};
-    for (auto e = begin; e < end; ++e) {
-      const GreatArc arc = arcOf(sites.vectors(), cells, site, e);
+    for (std::size_t e = 0; e < count; ++e) {
+      const GreatArc arc = arcOf(sites.vectors(), cell, e);
       center = center + arc.angle * arc.axis;
     }
     apex = normalized(center);
   }
-  Sums sums(apex);
-  for (auto e = begin; e < end; ++e) {
-    const auto next = e + 1 < end ? e + 1 : begin;
-    const Direction &from = cells.vertex[e], &to = cells.vertex[next];
-    const double angle = next != e && lengthOf(to - from) <= longest_arc
+  Sums sums(apex, reach < small_cell * small_cell);
+  for (std::size_t e = 0; e < count; ++e) {
+    const auto next = e + 1 < count ? e + 1 : 0;
+    const Direction &from = cell.vertex[e], &to = cell.vertex[next];
+    const double angle = next != e && squareOf(to - from) <= longest_arc * longest_arc
                              ? sums.add(from, to)
-                             : sums.add(arcOf(sites.vectors(), cells, site, e));
-    if (!lengths.empty()) lengths[e - begin] = angle;
+                             : sums.add(arcOf(sites.vectors(), cell, e));
+    if (!lengths.empty()) lengths[e] = angle;
   }
-  return sums.measures(reach < small_cell);
+  return sums.measures();
 }
 
 SphereMeasures measureRings(std::span<const Direction> vertices, std::span<const std::size_t> ends,
@@ -193,7 +214,7 @@ SphereMeasures measureRings(std::span<const Direction> vertices, std::span<const
   apex = normalized(apex);
   double reach = 0;
   for (const Direction& vertex : vertices) reach = std::max(reach, lengthOf(vertex - apex));
-  Sums sums(apex);
+  Sums sums(apex, reach < small_cell);
   std::size_t begin = 0;
   for (const std::size_t end : ends) {
     for (auto e = begin; e < end; ++e) {
@@ -204,7 +225,7 @@ SphereMeasures measureRings(std::span<const Direction> vertices, std::span<const
     }
     begin = end;
   }
-  return sums.measures(reach < small_cell);
+  return sums.measures();
 }
 
 }  // namespace vorpipe::core

@@ -12,9 +12,8 @@ struct SphereMeasures {
   Direction centroid{};    ///< the direction of the cell's center of mass on the sphere
 };
 
-/// Measures a site's cell, which has edges. `lengths`, if not empty, become those of its edges, in radians.
-SphereMeasures measureCell(const SphereSites& sites, const SphereCells& cells, std::size_t site,
-                           std::span<double> lengths);
+/// Measures a cell that has edges. `lengths`, if not empty, become those of its edges, in radians.
+SphereMeasures measureCell(const SphereSites& sites, const SphereCell& cell, std::span<double> lengths);
 
 /// Measures what rings enclose, on their left; ring k of `vertices` ends before ends[k]. Sides are great
 /// circles shorter than half a turn. `lengths` becomes theirs, in radians.

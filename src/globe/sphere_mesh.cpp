@@ -1,7 +1,11 @@
 #include "globe/sphere_mesh.h"
 
 #include <algorithm>
+#include <atomic>
+#include <cmath>
+#include <functional>
 #include <limits>
+#include <mutex>
 #include <numeric>
 #include <utility>
 
@@ -17,7 +21,7 @@ namespace {
 constexpr std::size_t sphere_grain = std::size_t{1} << 14;
 
 /// The outermost sites in 14 directions, and the heaviest; the same for any order of the sites.
-std::vector<std::uint32_t> outermost(const SphereSites& sites) {
+std::vector<std::uint32_t> outermost(const SphereSites& sites, int threads) {
   constexpr std::array<Direction, 14> ways{{{0, 0, -1},
                                             {0, 0, 1},
                                             {0, -1, 0},
@@ -33,16 +37,32 @@ std::vector<std::uint32_t> outermost(const SphereSites& sites) {
                                             {-1, 1, 1},
                                             {1, 1, 1}}};
   const auto vectors = sites.vectors();
-  std::vector<std::uint32_t> found(ways.size());
-  for (std::size_t k = 0; k < ways.size(); ++k) {
-    const auto before = [&](std::uint32_t a, std::uint32_t b) {
-      const double of_a = dot(ways[k], vectors[a]), of_b = dot(ways[k], vectors[b]);
-      return of_a != of_b ? of_a > of_b : vectors[a] < vectors[b];
-    };
-    for (std::uint32_t i = 1; i < vectors.size(); ++i) {
-      if (before(i, found[k])) found[k] = i;
+  /// The first in each direction, and how far it is.
+  struct Outermost {
+    std::array<std::uint32_t, ways.size()> site{};
+    std::array<double, ways.size()> height{};
+  };
+  const auto take = [&](Outermost& of, std::size_t k, std::uint32_t i, double height) {
+    if (height < of.height[k] || (height == of.height[k] && !(vectors[i] < vectors[of.site[k]]))) return;
+    of.site[k] = i;
+    of.height[k] = height;
+  };
+  std::vector<Outermost> blocks((vectors.size() + sphere_grain - 1) / sphere_grain);
+  parallelFor(vectors.size(), sphere_grain, threads, [&](std::size_t begin, std::size_t end) {
+    Outermost here;
+    here.height.fill(-std::numeric_limits<double>::infinity());
+    for (auto i = begin; i < end; ++i) {
+      for (std::size_t k = 0; k < ways.size(); ++k) {
+        take(here, k, static_cast<std::uint32_t>(i), dot(ways[k], vectors[i]));
+      }
     }
+    blocks[begin / sphere_grain] = here;
+  });
+  Outermost all = blocks.front();
+  for (const Outermost& block : blocks) {
+    for (std::size_t k = 0; k < ways.size(); ++k) take(all, k, block.site[k], block.height[k]);
   }
+  std::vector<std::uint32_t> found(all.site.begin(), all.site.end());
   const auto& excess = sites.excess;
   if (excess.empty()) return found;
   found.push_back(static_cast<std::uint32_t>(std::ranges::max_element(excess) - excess.begin()));
@@ -51,24 +71,52 @@ std::vector<std::uint32_t> outermost(const SphereSites& sites) {
 
 /// A site to project from: of some, the one whose plane the others are farthest below. Where one is near, the
 /// plane becomes wide. The heaviest has all others below it, save those with which it coincides.
-std::uint32_t centerOf(const SphereSites& sites) {
-  std::uint32_t best = 0;
-  double farthest = -std::numeric_limits<double>::infinity();
-  for (const auto candidate : outermost(sites)) {
-    double nearest = std::numeric_limits<double>::infinity();
-    for (std::uint32_t i = 0; i < sites.direction.size(); ++i) {
-      const double depth = depthOf(sites, candidate, i);
-      // A site in the same direction is hidden, unless it is heavier.
-      const bool is_same = sites.direction[i] == sites.direction[candidate];
-      if (!is_same || depth < 0) nearest = std::min(nearest, depth);
+std::uint32_t centerOf(const SphereSites& sites, int threads) {
+  const auto candidates = outermost(sites, threads);
+  constexpr double infinite = std::numeric_limits<double>::infinity();
+  std::vector<double> nearest(candidates.size(), infinite);
+  std::mutex merging;
+  parallelFor(sites.direction.size(), sphere_grain, threads, [&](std::size_t begin, std::size_t end) {
+    std::vector<double> here(candidates.size(), infinite);
+    for (std::size_t k = 0; k < candidates.size(); ++k) {
+      const auto candidate = candidates[k];
+      for (auto i = begin; i < end; ++i) {
+        const double depth = depthOf(sites, candidate, i);
+        if (!(depth < here[k])) continue;
+        // A site in the same direction is hidden, unless it is heavier.
+        if (depth < 0 || sites.direction[i] != sites.direction[candidate]) here[k] = depth;
+      }
     }
-    if (nearest > farthest) {
-      farthest = nearest;
-      best = candidate;
-    }
-  }
-  return best;
+    const std::scoped_lock lock(merging);
+    std::ranges::transform(here, nearest, nearest.begin(), [](double a, double b) { return std::min(a, b); });
+  });
+  return candidates[static_cast<std::size_t>(std::ranges::max_element(nearest) - nearest.begin())];
 }
+
+/// Axes along which a direction has no negative part, the largest first. In these coordinates all is rounded
+/// alike, however a cube's rotation turns the sites.
+class AxesOf {
+ public:
+  explicit AxesOf(const Direction& direction) {
+    const std::array parts{direction.x, direction.y, direction.z};
+    std::ranges::sort(order_, std::greater{}, [&](std::size_t k) { return std::abs(parts[k]); });
+    for (std::size_t k = 0; k < 3; ++k) sign_[k] = std::copysign(1, parts[order_[k]]);
+    const bool is_even = order_[1] == (order_[0] + 1) % 3;
+    handedness_ = sign_[0] * sign_[1] * sign_[2] * (is_even ? 1 : -1);
+  }
+
+  Direction operator()(const Direction& a) const {
+    const std::array parts{a.x, a.y, a.z};
+    return {sign_[0] * parts[order_[0]], sign_[1] * parts[order_[1]], sign_[2] * parts[order_[2]]};
+  }
+  /// 1 if they are right-handed, else -1.
+  [[nodiscard]] double handedness() const { return handedness_; }
+
+ private:
+  std::array<std::size_t, 3> order_{0, 1, 2};
+  std::array<double, 3> sign_{};
+  double handedness_;
+};
 
 /// The sites in the plane, seen from outside of the sphere: without those in the direction of the center.
 struct PlaneSites {
@@ -87,13 +135,14 @@ PlaneSites projectFrom(std::uint32_t from, const SphereSites& sites, int threads
   plane.sites.y.resize(count);
   if (!sites.excess.empty()) plane.sites.weight.resize(count);
   const double own = sites.excessOf(from);
-  const Direction right = perpendicular(center), up = cross(right, center);
+  const AxesOf axes(center);
+  const Direction right = perpendicular(axes(center)), up = axes.handedness() * cross(right, axes(center));
   parallelFor(count, sphere_grain, threads, [&](std::size_t begin, std::size_t end) {
     for (auto k = begin; k < end; ++k) {
       const auto site = plane.site[k];
-      const double depth = depthOf(sites, from, site);
-      const double excess = sites.excessOf(site), scale = (1 + excess) / depth;
-      const Direction way = sites.direction[site] - center;
+      const Direction way = axes(sites.direction[site] - center);
+      const double excess = sites.excessOf(site);
+      const double depth = own - excess + (1 + excess) * dot(way, way) / 2, scale = (1 + excess) / depth;
       plane.sites.x[k] = scale * dot(right, way);
       plane.sites.y[k] = scale * dot(up, way);
       if (plane.sites.weight.empty()) continue;
@@ -117,18 +166,21 @@ Result<void> closeAround(std::uint32_t center, const PlaneSites& plane, const Si
   mesh.triangles = std::move(part.mesh.triangles);
   if (mesh.triangles.empty()) return {};
   mesh.site = std::move(part.site);
-  for (auto& site : mesh.site) site = plane.site[set.id[site]];
+  parallelEach(mesh.site.size(), sphere_grain, threads,
+               [&](std::size_t v) { mesh.site[v] = plane.site[set.id[mesh.site[v]]]; });
   mesh.at = std::move(part.mesh.at);
   const auto of_center = static_cast<std::int32_t>(mesh.site.size());
   mesh.site.push_back(center);
   mesh.at.push_back(-1);
-  for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+  std::atomic<std::int32_t> beside_center = -1;
+  parallelEach(mesh.triangles.size(), sphere_grain, threads, [&](std::size_t t) {
     for (auto& corner : mesh.triangles[t].corner) {
       if (corner != ghost) continue;
       corner = of_center;
-      mesh.at.back() = static_cast<std::int32_t>(t);
+      beside_center = static_cast<std::int32_t>(t);  // any will do
     }
-  }
+  });
+  mesh.at.back() = beside_center;
   if (set.weight.empty()) return {};
   for (std::size_t v = 0; v < mesh.at.size(); ++v) {
     const auto& corner = mesh.triangles[static_cast<std::size_t>(mesh.at[v])].corner;
@@ -200,17 +252,16 @@ Result<SphereMesh> triangulateSphere(const SphereSites& sites, int threads) {
   SphereMesh mesh;
   mesh.owner.resize(directions.size());
   std::iota(mesh.owner.begin(), mesh.owner.end(), 0u);
-  const auto center = centerOf(sites);
+  const auto center = centerOf(sites, threads);
   const PlaneSites plane = projectFrom(center, sites, threads);
   for (std::uint32_t i = 0; i < directions.size(); ++i) {
     if (directions[i] == directions[center]) mesh.owner[i] = center;
   }
   if (!plane.site.empty()) {
-    const auto prepared = prepare(plane.sites, domainOf(plane.sites), threads);
+    const auto prepared = prepareInOneBin(plane.sites, domainOf(plane.sites), threads);
     if (!prepared) return tl::unexpected(tooNear());
-    for (std::size_t k = 0; k < plane.site.size(); ++k) {
-      mesh.owner[plane.site[k]] = plane.site[prepared->owner[k]];
-    }
+    parallelEach(plane.site.size(), sphere_grain, threads,
+                 [&](std::size_t k) { mesh.owner[plane.site[k]] = plane.site[prepared->owner[k]]; });
     VORPIPE_TRY(closeAround(center, plane, prepared->set, threads, mesh));
   }
   if (mesh.triangles.empty()) {

@@ -90,39 +90,39 @@ void addWholeSphere(MomentSum& sum) {
 
 }  // namespace
 
-SphereMoments momentsOf(const SphereSites& sites, const SphereCells& cells, std::size_t site,
-                        const GlobeDensity* density) {
+SphereMoments momentsOf(const SphereSites& sites, const SphereCell& cell, const GlobeDensity* density) {
   constexpr double large = 0.5, longest = 0.25;  // radians
-  const Direction& own = sites.direction[site];
+  const Direction& own = cell.direction;
   MomentSum sum(own, density);
-  const auto begin = cells.offsets[site], end = cells.offsets[site + 1];
-  if (begin == end) {
+  const auto& vertex = cell.vertex;
+  const auto count = vertex.size();
+  if (count == 0) {
     addWholeSphere(sum);
     return sum.sum();
   }
   // Cells are convex, so that the mean of their vertices is inside. That of two may be 0.
   Direction middle{0, 0, 0};
   double reach = 0;
-  for (auto e = begin; e < end; ++e) {
-    middle = middle + cells.vertex[e];
-    reach = std::max(reach, lengthOf(cells.vertex[e] - cells.vertex[begin]));
+  for (std::size_t e = 0; e < count; ++e) {
+    middle = middle + vertex[e];
+    reach = std::max(reach, lengthOf(vertex[e] - vertex[0]));
   }
-  const bool is_large = reach > large || end - begin < 3;
+  const bool is_large = reach > large || count < 3;
   if (is_large) {
     middle = {0, 0, 0};
-    for (auto e = begin; e < end; ++e) {
-      const GreatArc arc = arcOf(sites.vectors(), cells, site, e);
+    for (std::size_t e = 0; e < count; ++e) {
+      const GreatArc arc = arcOf(sites.vectors(), cell, e);
       middle = middle + arc.angle * arc.axis;
     }
   }
   middle = normalized(middle);
-  for (auto e = begin; e < end; ++e) {
-    const Direction &from = cells.vertex[e], &to = cells.vertex[e + 1 < end ? e + 1 : begin];
+  for (std::size_t e = 0; e < count; ++e) {
+    const Direction &from = vertex[e], &to = vertex[e + 1 < count ? e + 1 : 0];
     if (!is_large) {
       sum.add(middle, from, to);
       continue;
     }
-    const GreatArc arc = arcOf(sites.vectors(), cells, site, e);
+    const GreatArc arc = arcOf(sites.vectors(), cell, e);
     const int pieces = static_cast<int>(std::ceil(arc.angle / longest));
     Direction last = from;
     for (int k = 1; k <= pieces; ++k) {

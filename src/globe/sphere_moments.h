@@ -14,13 +14,12 @@ struct SphereMoments {
   double energy = 0;        ///< of |x - p|^2 by mass
 };
 
-/// Of a site's cell; without neighbors the cell is the whole sphere. `density` may be null.
+/// Of a site's cell. `density` may be null.
 ///
 /// The cell is cut into triangles from a point inside, and these into halves across their longest sides until
 /// no side is longer than 0.02, nor than two pixels' heights of the density. Each has seven points (Radon
 /// 1948), exact for polynomials of degree five: without a density rounding alone is left.
-SphereMoments momentsOf(const SphereSites& sites, const SphereCells& cells, std::size_t site,
-                        const GlobeDensity* density);
+SphereMoments momentsOf(const SphereSites& sites, const SphereCell& cell, const GlobeDensity* density);
 
 /// The least energy of `count` cells on the unit sphere: 2 count - 4 equal triangles that meet in the sites
 /// (L. Fejes Toth 1953). Sites at the vertices of a tetrahedron, an octahedron or an icosahedron have it;

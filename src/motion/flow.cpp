@@ -35,6 +35,11 @@ double lightest(const Parcels& parcels) {
   return least;
 }
 
+/// Springs pull sites to the centroids anyway.
+bool isCentering(const FluidOptions& options) {
+  return options.centering > 0 && options.scheme == FluidScheme::projection;
+}
+
 double square(Point a) { return a.x * a.x + a.y * a.y; }
 
 tl::unexpected<Error> cancelled(std::string_view before) {
@@ -162,6 +167,12 @@ void Flow::accelerate(Parcels& parcels) const {
                                own * (centroid.y - parcels.sites.y[i]) + options_.gravity.y};
     if (springs) parcels.pressure[i] = 0.5 * stiffness_ * parcels.sites.weight[i];
   });
+  if (!isCentering(options_)) return;
+  parcels.off_center.resize(parcels.size());
+  forAll(parcels.size(), threads_, [&](std::size_t i) {
+    const Point centroid = moments.centroid[i];
+    parcels.off_center[i] = {centroid.x - parcels.sites.x[i], centroid.y - parcels.sites.y[i]};
+  });
 }
 
 Result<bool> Flow::place(Parcels& parcels, double time) { return place(parcels, time, options_.tolerance); }
@@ -177,6 +188,13 @@ void Flow::drift(Parcels& parcels, double time) const {
     parcels.sites.x[i] += time * parcels.velocity[i].x;
     parcels.sites.y[i] += time * parcels.velocity[i].y;
   });
+  if (isCentering(options_)) {
+    const double part = -std::expm1(-time * options_.centering);
+    forAll(parcels.size(), threads_, [&](std::size_t i) {
+      parcels.sites.x[i] += part * parcels.off_center[i].x;
+      parcels.sites.y[i] += part * parcels.off_center[i].y;
+    });
+  }
   if (!options_.outline.empty()) keepInside(parcels);
 }
 

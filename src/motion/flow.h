@@ -20,6 +20,7 @@ struct Parcels {
   std::vector<double> volume, mass, pressure;
   std::vector<double> trend;        ///< of weights: their last change per time
   std::vector<Point> acceleration;  ///< of springs and gravity, where the sites are now
+  std::vector<Point> off_center;    ///< from the sites to the centroids, where options ask for centering
   Point carried{0, 0};              ///< as in FluidState
 
   [[nodiscard]] std::size_t size() const { return sites.size(); }

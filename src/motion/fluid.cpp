@@ -67,6 +67,9 @@ Result<void> checkOptions(const FluidOptions& options) {
   if (!(options.viscosity >= 0 && options.viscosity <= largest)) {
     return refuse(fmt::format("viscosity: it is not from 0 to {:.0e}", largest));
   }
+  if (!(options.centering >= 0 && options.centering <= largest)) {
+    return refuse(fmt::format("centering: it is not from 0 to {:.0e}", largest));
+  }
   if (options.walls == FluidWalls::slip) return {};
   if (options.viscosity == 0) return refuse("walls: without viscosity a fluid does not stick to them");
   if (options.surface == Surface::free) return refuse("walls: a fluid with a free surface slides along them");

@@ -60,7 +60,7 @@ class GlobeGround final : public Ground {
     for (double& value : roots.values) value = std::sqrt(value);
     const core::GlobeDensity root(roots);
     const core::SphereSites one{{{0, 0, 1}}, {}, {}};
-    root_mass_ = momentsOf(one, {{0, 0}, {}, {}, {}}, 0, &root).mass;
+    root_mass_ = momentsOf(one, {0, one.direction[0], {}, {}, {}}, &root).mass;
     return {};
   }
 
@@ -144,16 +144,19 @@ void GlobeGround::findCells(const core::SphereSites& sites, const core::SphereMe
   const std::size_t count = sites.direction.size();
   cells_.assign(count, {});
   moments_.status.resize(count);
-  for (auto* numbers : {&moments_.area, &moments_.mass, &moments_.spread}) numbers->resize(count);
-  parallelEach(count, grain, threads_, [&](std::size_t i) {
-    const bool is_duplicate = mesh.owner[i] != i;
-    const bool has_cell =
-        !is_duplicate && (cells.neighbor.empty() || cells.offsets[i] < cells.offsets[i + 1]);
-    if (has_cell) cells_[i] = momentsOf(sites, cells, i, density_.get());
-    moments_.status[i] = is_duplicate ? Status::duplicate : has_cell ? Status::ok : Status::empty;
-    moments_.area[i] = cells_[i].area;
-    moments_.mass[i] = cells_[i].mass;
-    moments_.spread[i] = cells_[i].energy;
+  for (std::size_t i = 0; i < count; ++i) {
+    moments_.status[i] = mesh.owner[i] != i ? Status::duplicate : Status::empty;
+  }
+  for (auto* numbers : {&moments_.area, &moments_.mass, &moments_.spread}) numbers->assign(count, 0);
+  parallelFor(cells.steps(), grain, threads_, [&](std::size_t begin, std::size_t end) {
+    cells.visit(begin, end, [&](const core::SphereCell& cell) {
+      const auto i = cell.site;
+      cells_[i] = momentsOf(sites, cell, density_.get());
+      moments_.status[i] = Status::ok;
+      moments_.area[i] = cells_[i].area;
+      moments_.mass[i] = cells_[i].mass;
+      moments_.spread[i] = cells_[i].energy;
+    });
   });
 }
 
@@ -241,6 +244,12 @@ std::unique_ptr<Ground> globeGround(const Session& session, const RelaxOptions& 
 }
 
 Result<void> checkMovableOnGlobe(const Sites& sites, const RelaxOptions& options, int threads) {
+  if (!options.outline.empty()) {
+    return tl::unexpected(refusalOf(Subject::outline, "with globe sites relax on the whole Earth"));
+  }
+  if (options.equal_masses) {
+    return tl::unexpected(Error{ErrorCode::input, "equal_masses: are of a plane, and not of the globe"});
+  }
   CellsOptions cells{};
   cells.globe = true;
   cells.search = options.search;

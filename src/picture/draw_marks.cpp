@@ -98,6 +98,7 @@ Result<void> drawOverlays(const Overlays& overlays, const DrawRows& cells, Image
                              in_pixel};
     drawLines(marks.edges, options.edge_width, edgeColor(options), samples, threads, into);
     drawLines(marks.outline, outlineWidth(options), edgeColor(options), samples, threads, into);
+    drawLines(marks.borders, borderWidth(options), edgeColor(options), samples, threads, into);
     drawLines(marks.dual, options.edge_width, dual_color, samples, threads, into);
     if (dots) dots->draw({0, static_cast<double>(first), in_pixel}, dotColor(options), into);
   };
@@ -138,9 +139,10 @@ void drawLabels(const Marks& marks, const RenderOptions& options, std::span<cons
 }  // namespace
 
 void completePicture(const RenderOptions& options, const Marks& marks, std::span<const std::uint32_t> colors,
-                     const std::optional<ColorKey>& key, Image& image) {
+                     const std::optional<ColorKey>& key, int threads, Image& image) {
   putIntoFrame(shownFrame(options), options.width, options.height, image);
   if (options.background) layOver(options.background->rgba, image);
+  blendLines(marks.graticule, options.edge_width, graticule_color, threads, image);
   drawLabels(marks, options, colors, image);
   if (options.legend && !options.legend_beside) drawLegend(legendOf(*key, options), image);
 }

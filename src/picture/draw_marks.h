@@ -33,6 +33,6 @@ Result<void> smooth(const DrawRows& draw, int in_pixel, int threads, Image& imag
 /// Puts the image of a frame into the picture, over its background, and draws labels and a legend inside. Ids
 /// are those of sites; `colors` are those of cells, by site.
 void completePicture(const RenderOptions& options, const Marks& marks, std::span<const std::uint32_t> colors,
-                     const std::optional<ColorKey>& key, Image& image);
+                     const std::optional<ColorKey>& key, int threads, Image& image);
 
 }  // namespace vorpipe::core

@@ -64,14 +64,6 @@ View viewOf(const ShownPart& shown, const Part& part, const Palette& palette) {
           {shown.box.xmin, shown.box.ymin}};
 }
 
-/// Returns the rows of a box from `first` to before `last` of `rows`, counted from its upper end.
-Box rowsOf(const Box& box, int first, int last, int rows) {
-  const auto upper = [&](int row) {
-    return row == rows ? box.ymin : box.ymax - (box.ymax - box.ymin) * row / rows;
-  };
-  return {box.xmin, upper(last), box.xmax, upper(first)};
-}
-
 RenderOptions samplesOf(RenderOptions options) {
   const PictureFrame frame = shownFrame(options);
   options.width = frame.width * options.antialias;
@@ -206,7 +198,7 @@ Result<Image> SampleDrawing::draw(int first, int last) {
   }
   putIntoFrame(at, options_.width, height, image);
   if (!options_.outline.empty()) {
-    const Box box = rowsOf(shownBox(options_), first, last, rows);
+    const Box box = boxOfRows(shownBox(options_), first, last, rows);
     maskOutside(kept_.rings, box, kept_.found.run->prepared.exponent, machine_.threads, image);
   }
   return image;

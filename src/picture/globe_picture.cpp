@@ -1,11 +1,13 @@
 #include "picture/globe_picture.h"
 
+#include <optional>
 #include <utility>
 #include <vector>
 
 #include "base/parallel.h"
 #include "base/stopwatch.h"
 #include "base/try.h"
+#include "domain/pixel_mask.h"
 #include "globe/globe_cells.h"
 #include "globe/sphere_map.h"
 #include "globe/sphere_walk.h"
@@ -21,10 +23,16 @@ namespace {
 /// The pixels of a map, or several samples in each.
 class MapPixels {
  public:
-  /// `colors` are by site. All arguments outlive this.
+  /// `colors` are by site; `plane` has the map's options. All arguments outlive this.
   MapPixels(const SphereMap& map, const SphereWalk& walk, const std::vector<std::uint32_t>& colors,
-            const PictureFrame& frame, int threads)
-      : map_(map), walk_(walk), colors_(colors), frame_(frame), threads_(threads) {}
+            const RenderOptions& plane, int threads)
+      : map_(map),
+        walk_(walk),
+        colors_(colors),
+        rings_(sidesOf(plane.outline)),
+        box_(shownBox(plane)),
+        frame_(shownFrame(plane)),
+        threads_(threads) {}
 
   /// Draws rows of the frame from `first` to before `last`.
   [[nodiscard]] Image draw(int first, int last, int in_pixel) const {
@@ -40,13 +48,26 @@ class MapPixels {
         site = drawRow(down, frame_.height * in_pixel, site, image, row * width);
       }
     });
+    if (!rings_.points.empty())
+      maskOutside(rings_, boxOfRows(box_, first, last, frame_.height), 0, threads_, image);
     return image;
   }
 
  private:
+  /// The sides of an outline; a pixel is inside where it is to the left of an odd number.
+  static Rings sidesOf(const Outline& outline) {
+    Rings rings{outline.points, {}, {}, {}};
+    for (const std::size_t offset : outline.ring_offsets) {
+      if (!rings.offsets.empty())
+        rings.ring.resize(offset, static_cast<std::uint32_t>(rings.offsets.size() - 1));
+      rings.offsets.push_back(static_cast<std::uint32_t>(offset));
+    }
+    return rings;
+  }
+
   /// Draws one of so many rows from a pixel of the image on, and returns the site of its first place.
   std::uint32_t drawRow(int row, int rows, std::uint32_t site, Image& image, std::size_t pixel) const {
-    const Box& box = map_.box();
+    const Box& box = box_;
     const SphereMap::Row places(map_, box.ymax - (row + 0.5) / rows * (box.ymax - box.ymin));
     std::uint32_t first = no_site;
     for (int column = 0; column < image.width; ++column, ++pixel) {
@@ -66,6 +87,8 @@ class MapPixels {
   const SphereMap& map_;
   const SphereWalk& walk_;
   const std::vector<std::uint32_t>& colors_;
+  Rings rings_;  ///< empty without an outline
+  Box box_;
   PictureFrame frame_;
   int threads_;
 };
@@ -80,16 +103,10 @@ std::vector<std::uint32_t> colorsOf(const PaletteIndices& found, const Palette& 
   return colors;
 }
 
-}  // namespace
-
-Result<Rendering> renderGlobe(const Machine& machine, const Sites& sites, const RenderOptions& options) {
-  CellsOptions wanted = cellsOptions(options);
-  wanted.detail = marksDetail(options);
-  VORPIPE_VAR(diagram, globeCellsOn(machine, sites, wanted));
-  return drawGlobe(sites, std::move(diagram), options, threadCount(machine.threads));
-}
-
-Result<Rendering> drawGlobe(const Sites& sites, Diagram diagram, const RenderOptions& options, int threads) {
+/// Draws cells of the globe, with marksDetail(options); `whole` are those of all of it. Errors: those of
+/// paletteIndices and siteLabels.
+Result<Rendering> drawGlobe(const Sites& sites, Diagram diagram, const Diagram* whole,
+                            const RenderOptions& options, int threads) {
   const Stopwatch watch;
   VORPIPE_VAR(found, paletteIndices(sites, diagram, options, threads));
   VORPIPE_LET(palette, paletteOf(options, found.key));
@@ -98,24 +115,45 @@ Result<Rendering> drawGlobe(const Sites& sites, Diagram diagram, const RenderOpt
   const auto colors = cellsShowBackground(options) ? std::vector<std::uint32_t>(fills.size()) : fills;
 
   const SphereMap map(options);
-  const SphereWalk walk(sites, diagram, threads);
+  const SphereWalk walk(sites, whole != nullptr ? *whole : diagram, threads);
   const PictureFrame frame = shownFrame(options);
-  const MapPixels pixels(map, walk, colors, frame, threads);
+  VORPIPE_VAR(plane, optionsOnMap(options));
+  if (options.outline.empty()) plane.outline = {};
+  const MapPixels pixels(map, walk, colors, plane, threads);
   Rendering rendering;
   rendering.image = pixels.draw(0, frame.height, 1);
   const Sites dots = options.show_sites ? sitesOnMap(sites, options) : Sites{};
-  const Overlays overlays{options, marks, dots, map.box(), {0, 0, frame.width, frame.height}, threads};
+  const Overlays overlays{options, marks, dots, shownBox(options), {0, 0, frame.width, frame.height},
+                          threads};
   const auto draw = [&](int first, int last) -> Result<Image> {
     return pixels.draw(first, last, options.antialias);
   };
   VORPIPE_TRY(drawOverlays(overlays, draw, rendering.image));
-  completePicture(options, marks, fills, found.key, rendering.image);
+  completePicture(options, marks, fills, found.key, threads, rendering.image);
   rendering.report = diagram.report;
   rendering.report.time_ms.draw = watch.milliseconds();
   rendering.key = std::move(found.key);
   rendering.status = std::move(diagram.status);
   rendering.owner = std::move(diagram.owner);
   return rendering;
+}
+
+}  // namespace
+
+Result<Rendering> renderGlobe(const Machine& machine, const Sites& sites, const RenderOptions& options) {
+  CellsOptions wanted = cellsOptions(options);
+  wanted.detail = marksDetail(options);
+  VORPIPE_VAR(diagram, globeCellsOn(machine, sites, wanted));
+  std::optional<Diagram> whole;
+  if (!options.outline.empty()) {
+    // The walk goes over neighbors all around.
+    wanted.outline = {};
+    wanted.detail = Detail::measures;
+    VORPIPE_VAR(found, globeCellsOn(machine, sites, wanted));
+    whole = std::move(found);
+  }
+  return drawGlobe(sites, std::move(diagram), whole ? &*whole : nullptr, options,
+                   threadCount(machine.threads));
 }
 
 }  // namespace vorpipe::core

@@ -10,7 +10,4 @@ namespace vorpipe::core {
 /// have no part in it: pixels get their sites by a walk over the certified cells.
 Result<Rendering> renderGlobe(const Machine& machine, const Sites& sites, const RenderOptions& options);
 
-/// Draws cells of the globe, with marksDetail(options). Errors: those of paletteIndices and siteLabels.
-Result<Rendering> drawGlobe(const Sites& sites, Diagram diagram, const RenderOptions& options, int threads);
-
 }  // namespace vorpipe::core

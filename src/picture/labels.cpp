@@ -231,7 +231,7 @@ Result<SiteLabels> siteLabels(const Sites& sites, const Diagram& cells, const Re
                                                               options.texts.size(), sites.size())});
   }
   if (options.globe) {
-    const MapCells map = cellsOnMap(sites, cells, options, threads);
+    VORPIPE_LET(map, cellsOnMap(sites, cells, options, threads));
     return siteLabels(map.sites, map.diagram, map.options, threads);
   }
   const bool periodic = options.periodic != Periodic::none;

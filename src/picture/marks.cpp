@@ -45,9 +45,8 @@ std::vector<Line> edgeLines(const Diagram& cells, const RenderOptions& options) 
   return lines;
 }
 
-std::vector<Line> outlineLines(const RenderOptions& options) {
+std::vector<Line> outlineLines(const Outline& outline, const RenderOptions& options) {
   const PicturePlaces places(options);
-  const Outline& outline = options.outline;
   std::vector<Line> lines;
   for (std::size_t r = 0; r + 1 < outline.ring_offsets.size(); ++r) {
     const auto begin = outline.ring_offsets[r], end = outline.ring_offsets[r + 1];
@@ -165,10 +164,18 @@ Result<std::vector<Line>> dualLines(const Sites& sites, const Diagram& cells, co
 
 Result<Marks> marksOf(const Sites& sites, const Diagram& cells, const RenderOptions& options, int threads) {
   Marks marks;
-  if (options.edges && options.antialias > 1) {
+  const bool smooth = options.edges && options.antialias > 1;
+  if (smooth || !options.borders.empty()) {
+    VORPIPE_LET(plane, options.globe ? optionsOnMap(options) : Result<RenderOptions>(options));
+    if (smooth) marks.outline = outlineLines(plane.outline, plane);
+    marks.borders = outlineLines(plane.borders, plane);
+  }
+  if (smooth) {
     marks.edges = options.globe ? piecesOf(edgesOnMap(sites, cells, options, threads), options)
                                 : edgeLines(cells, options);
-    marks.outline = outlineLines(options.globe ? optionsOnMap(options) : options);
+  }
+  if (options.globe && options.graticule > 0) {
+    marks.graticule = piecesOf(graticuleOnMap(options), options);
   }
   if (options.dual) {
     VORPIPE_VAR(lines, dualLines(sites, cells, options, threads));

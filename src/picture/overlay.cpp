@@ -52,6 +52,14 @@ Interval covered(const Line& line, double radius, double y) {
   return row;
 }
 
+double distanceTo(const Line& line, Point at) {
+  const Point way{line.to.x - line.from.x, line.to.y - line.from.y};
+  const Point off{at.x - line.from.x, at.y - line.from.y};
+  const double squared = way.x * way.x + way.y * way.y;
+  const double part = squared > 0 ? std::clamp((off.x * way.x + off.y * way.y) / squared, 0.0, 1.0) : 0;
+  return std::hypot(off.x - part * way.x, off.y - part * way.y);
+}
+
 /// Returns the first of `count` samples at or after a coordinate; the samples begin at `begin`.
 int firstFrom(double at, double begin, int in_pixel, int count) {
   return static_cast<int>(
@@ -235,6 +243,36 @@ void drawLines(std::span<const Line> lines, double width, std::uint32_t color, c
                   }
                 }
               });
+}
+
+void blendLines(std::span<const Line> lines, double width, std::uint32_t color, int threads, Image& image) {
+  const double radius = (width + 1) / 2;
+  const auto bands = static_cast<std::size_t>((image.height + band_rows - 1) / band_rows);
+  parallelFor(bands, 1, threads, [&](std::size_t begin, std::size_t end) {
+    std::vector<double> parts;
+    for (auto band = begin; band < end; ++band) {
+      const int top = static_cast<int>(band) * band_rows, bottom = std::min(image.height, top + band_rows);
+      parts.assign(static_cast<std::size_t>(bottom - top) * static_cast<std::size_t>(image.width), 0);
+      for (const Line& line : lines) {
+        const Rows rows = rowsOf(line, radius, {}, image.height);
+        for (int row = std::max(top, rows.first); row < std::min(bottom, rows.last); ++row) {
+          const Interval wide = covered(line, radius, row + 0.5);
+          const int last = firstAfter(wide.high, 0, 1, image.width);
+          for (int column = firstFrom(wide.low, 0, 1, image.width); column < last; ++column) {
+            const double part = radius - distanceTo(line, {column + 0.5, row + 0.5});
+            double& most = parts[pixelAt(image, row - top, column)];
+            most = std::max(most, std::min(part, 1.0));
+          }
+        }
+      }
+      for (int row = top; row < bottom; ++row) {
+        for (int column = 0; column < image.width; ++column) {
+          const double part = parts[pixelAt(image, row - top, column)];
+          if (part > 0) blend(image, row, column, color, part);
+        }
+      }
+    }
+  });
 }
 
 void drawEdges(Image& image, double width, std::uint32_t color, int threads) {

@@ -22,6 +22,10 @@ struct SampleGrid {
 void drawLines(std::span<const Line> lines, double width, std::uint32_t color, const SampleGrid& samples,
                int threads, Image& image);
 
+/// Blends a color, which may be translucent, over the pixels that lines cover, smoothed: once, however many
+/// lines meet.
+void blendLines(std::span<const Line> lines, double width, std::uint32_t color, int threads, Image& image);
+
 /// Colors each pixel whose right or lower neighbor belongs to another cell, and each beside a pixel without
 /// a site: these are edge pixels. The width is rounded to whole pixels. An odd width above 1 colors all
 /// pixels whose centers are within (width - 1) / 2 of an edge pixel's center. An even width colors those

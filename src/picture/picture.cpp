@@ -128,7 +128,7 @@ Result<void> finish(const Sites& sites, const KeptPicture& kept, const RenderOpt
   };
   VORPIPE_TRY(drawOverlays(overlays, draw, image));
   nameSites(scene, image.ids);
-  completePicture(options, marks, colorsIn(kept, options, marks, palette), kept.colors->key, image);
+  completePicture(options, marks, colorsIn(kept, options, marks, palette), kept.colors->key, threads, image);
   return {};
 }
 

@@ -56,6 +56,13 @@ void blendBox(const Box& box, std::uint32_t color, Image& image) {
   }
 }
 
+Box boxOfRows(const Box& box, int first, int last, int rows) {
+  const auto upper = [&](int row) {
+    return row == rows ? box.ymin : box.ymax - (box.ymax - box.ymin) * row / rows;
+  };
+  return {box.xmin, upper(last), box.xmax, upper(first)};
+}
+
 void layOver(std::uint32_t background, Image& image) {
   constexpr std::uint32_t opaque = 0xFF000000u;
   for (std::uint32_t& pixel : image.rgba) {

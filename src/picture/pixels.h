@@ -12,6 +12,9 @@ inline std::size_t pixelAt(const Image& image, int row, int column) {
          static_cast<std::size_t>(column);
 }
 
+/// Returns the rows of a box from `first` to before `last` of `rows`, counted from its upper end.
+Box boxOfRows(const Box& box, int first, int last, int rows);
+
 /// Returns a color, which may be translucent, over another one, where it covers a part. Alpha is not
 /// premultiplied.
 std::uint32_t mixed(std::uint32_t color, double part, std::uint32_t below);

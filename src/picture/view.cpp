@@ -95,8 +95,8 @@ DotSize dotSizeOf(double size, double spacing, PictureSize picture) {
 }
 
 const Box& shownBox(const RenderOptions& options) {
-  if (options.globe) return core::boxOfMap(options);
-  return options.view ? *options.view : options.domain;
+  if (options.view) return *options.view;
+  return options.globe ? core::boxOfMap(options) : options.domain;
 }
 
 PictureFrame shownFrame(const RenderOptions& options) {
@@ -120,8 +120,8 @@ Result<void> checkView(const RenderOptions& options) {
   if (options.globe && options.view_from) {
     VORPIPE_TRY(Projection::around(*options.view_from));
   }
-  if (!options.view || options.globe) return {};
-  const Box &view = *options.view, &domain = options.domain;
+  if (!options.view) return {};
+  const Box &view = *options.view, &domain = options.globe ? core::boxOfMap(options) : options.domain;
   const double width = view.xmax - view.xmin, height = view.ymax - view.ymin;
   const bool finite =
       std::isfinite(view.xmin) && std::isfinite(view.ymin) && std::isfinite(width) && std::isfinite(height);
@@ -157,10 +157,6 @@ Result<void> checkPicture(const RenderOptions& options) {
     return refusePicture(fmt::format("a picture of {}x{} pixels: each side must be 1 to {}", options.width,
                                      options.height, largest_side));
   }
-  if (options.globe && !options.outline.empty()) {
-    return tl::unexpected(
-        refusalOf(Subject::outline, "is for a plane; pictures of the globe show all of it"));
-  }
   if (options.legend && !options.legend_beside &&
       (options.width < least_with_legend.width || options.height < least_with_legend.height)) {
     return refusePicture(fmt::format("legend: a picture of {}x{} pixels has no room for it, {}x{} has",
@@ -168,6 +164,7 @@ Result<void> checkPicture(const RenderOptions& options) {
                                      least_with_legend.height));
   }
   if (options.legend && !options.fill) return refusePicture("legend: cells without fill have no colors");
+  if (options.graticule > 0 && !options.globe) return refusePicture("graticule: is of the globe");
   if (options.edge_color && !options.edge_color->isOpaque()) {
     return refusePicture(fmt::format("edge color {}: must be opaque", textOf(*options.edge_color)));
   }

@@ -56,9 +56,9 @@ std::uint64_t heapOf(const Workload& work) {
 
 /// Bytes per site or image at the peak of Session::cells, besides a device.
 std::uint64_t peakOfCells(const Workload& work, Detail detail) {
-  if (work.globe)
-    return (detail == Detail::measures ? 480u : 615u) + (work.weighted ? 65u : 0u) +
-           (work.outlined ? 300u : 0u);
+  if (work.globe && work.outlined)
+    return (detail == Detail::measures ? 780u : 915u) + (work.weighted ? 65u : 0u);
+  if (work.globe) return (detail == Detail::measures ? 320u : 565u) + (work.weighted ? 50u : 0u);
   if (work.periodic) return work.outlined ? 700 : work.weighted ? 560 : 535;
   if (work.outlined) return detail == Detail::everything ? 660 : 635;
   constexpr std::uint64_t measures = 290, polygons = 400, everything = 495;
@@ -184,11 +184,17 @@ Array planCells(MemoryPlan& plan, const Workload& work, Detail detail) {
 
 namespace {
 
-/// A picture of the globe: its cells, what the walk over them needs, and samples of some rows.
+/// A picture of the globe: its cells, in an outline also those of all the Earth, what the walk over them
+/// needs, and samples of some rows.
 Array planGlobePicture(MemoryPlan& plan, const Workload& work, const RenderOptions& options) {
   const auto start = plan.next();
   planCells(plan, work, marksDetail(options));
-  constexpr std::uint64_t walked_site = 70, lines_of_site = 220, samples_at_once = std::uint64_t{1} << 22;
+  if (work.outlined) {
+    Workload whole = work;
+    whole.outlined = false;
+    planCells(plan, whole, Detail::measures);
+  }
+  constexpr std::uint64_t walked_site = 85, lines_of_site = 220, samples_at_once = std::uint64_t{1} << 22;
   plan.take("colors and statuses", work.sites * walked_site);
   if (options.dual || (options.edges && options.antialias > 1))
     plan.take("lines and labels", work.sites * lines_of_site);

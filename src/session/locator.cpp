@@ -10,7 +10,6 @@
 #include "backend/registry/registry.h"
 #include "base/inside.h"
 #include "base/parallel.h"
-#include "base/refusal.h"
 #include "base/try.h"
 #include "domain/degrees.h"
 #include "domain/edge_tree.h"
@@ -144,20 +143,19 @@ Locator::~Locator() = default;
 
 Result<Locator> Locator::make(const Sites& sites, const CellsOptions& options, int threads) {
   try {
-    VORPIPE_TRY(checkOutline(options.outline, options.periodic));
+    if (!options.globe) {
+      VORPIPE_TRY(checkOutline(options.outline, options.periodic));
+    }
     Locator locator;
     locator.state_ = std::make_unique<State>();
     State& state = *locator.state_;
     state.domain = options.domain;
     state.threads = threads;
-    if (options.globe && !options.outline.empty()) {
-      return tl::unexpected(
-          refusalOf(Subject::outline, "places on the globe are found in cells of all of it"));
-    }
     if (options.globe) {
       VORPIPE_TRY(checkPlaces(sites));
       state.domain = {-whole_turn / 2, -quarter_turn, whole_turn / 2, quarter_turn};
-      state.globe = std::make_unique<GlobePlaces>(sites);
+      VORPIPE_VAR(places, GlobePlaces::make(sites, options.outline));
+      state.globe = std::make_unique<GlobePlaces>(std::move(places));
       return locator;
     }
     VORPIPE_TRY(state.takeSites(sites, options));

@@ -14,6 +14,7 @@
 #include "base/refusal.h"
 #include "base/try.h"
 #include "sites/bin_sort.h"
+#include "sites/distinct_sites.h"
 #include "sites/grid.h"
 #include "sites/weights.h"
 
@@ -24,20 +25,22 @@ constexpr std::size_t site_set_grain = 1 << 16;
 /// In scaled units. For sites farther apart, products of distances are in the range of double, and the
 /// exact_search's numbers have enough digits for the points where their bisectors meet.
 constexpr double least_distance = 0x1p-80;
-/// From this size on, two different doubles are farther apart than the least distance.
-constexpr double resolved = least_distance * 0x1p54;
+/// For sites that are triangulated only: they stay apart when tiny coordinates are rounded.
+constexpr double least_to_triangulate = 0x1p-140;
 
 using Pair = std::pair<std::uint32_t, std::uint32_t>;
 
-bool isSmall(double value) { return std::abs(value) < resolved; }
+/// Whether two different doubles of this size may be nearer to each other than `least`.
+bool isSmall(double value, double least) { return std::abs(value) < least * 0x1p54; }
 
 /// Whether any coordinate is small and not 0. Two sites near each other have such a coordinate.
-bool anySmall(const SiteSet& set, int threads) {
+bool anySmall(const SiteSet& set, double least, int threads) {
   std::atomic<bool> any = false;
   parallelFor(set.size(), site_set_grain, threads, [&](std::size_t begin, std::size_t end) {
     bool here = false;
     for (auto i = begin; i < end; ++i) {
-      here = here || (isSmall(set.x[i]) && set.x[i] != 0) || (isSmall(set.y[i]) && set.y[i] != 0);
+      here =
+          here || (isSmall(set.x[i], least) && set.x[i] != 0) || (isSmall(set.y[i], least) && set.y[i] != 0);
     }
     if (here) any = true;
   });
@@ -46,29 +49,30 @@ bool anySmall(const SiteSet& set, int threads) {
 
 /// Searches `sites` in rows of the plane, which are as high as the least distance and shifted by a part of
 /// that.
-std::optional<Pair> nearInRows(const SiteSet& set, std::vector<std::uint32_t>& sites, double shift) {
-  const auto row = [&](std::uint32_t i) { return std::floor(set.y[i] / least_distance + shift); };
+std::optional<Pair> nearInRows(const SiteSet& set, std::vector<std::uint32_t>& sites, double least,
+                               double shift) {
+  const auto row = [&](std::uint32_t i) { return std::floor(set.y[i] / least + shift); };
   std::sort(sites.begin(), sites.end(), [&](std::uint32_t a, std::uint32_t b) {
     return std::pair(row(a), set.x[a]) < std::pair(row(b), set.x[b]);
   });
   for (std::size_t k = 1; k < sites.size(); ++k) {
     const auto a = sites[k - 1], b = sites[k];
-    if (row(a) == row(b) && set.x[b] - set.x[a] < least_distance) return Pair{std::min(a, b), std::max(a, b)};
+    if (row(a) == row(b) && set.x[b] - set.x[a] < least) return Pair{std::min(a, b), std::max(a, b)};
   }
   return std::nullopt;
 }
 
-/// Returns two sites, as indices in the set, that differ by less than `least_distance` in x and in y. May
+/// Returns two sites, as indices in the set, that differ by less than `least` in x and in y. May
 /// miss such pairs, but none that differ by less than half of it in y.
-std::optional<Pair> tooNear(const SiteSet& set, int threads) {
-  if (!anySmall(set, threads)) return std::nullopt;
+std::optional<Pair> tooNear(const SiteSet& set, double least, int threads) {
+  if (!anySmall(set, least, threads)) return std::nullopt;
   std::vector<std::uint32_t> sites;
   for (std::uint32_t i = 0; i < set.size(); ++i) {
-    if (isSmall(set.x[i]) || isSmall(set.y[i])) sites.push_back(i);
+    if (isSmall(set.x[i], least) || isSmall(set.y[i], least)) sites.push_back(i);
   }
   // Sites on both sides of a border between rows share one of the shifted rows.
-  auto pair = nearInRows(set, sites, 0);
-  return pair ? pair : nearInRows(set, sites, 0.5);
+  auto pair = nearInRows(set, sites, least, 0);
+  return pair ? pair : nearInRows(set, sites, least, 0.5);
 }
 
 /// A neighbor is a signed 32-bit index.
@@ -130,13 +134,39 @@ void dropTiny(std::vector<double>& coordinates, int threads) {
 /// Refuses sites that are too near to each other; error(i, j) names those of input indices i and j. Then
 /// rounds tiny coordinates.
 template <class NearError>
-Result<void> separate(SiteSet& set, int threads, const NearError& error) {
-  if (const auto pair = tooNear(set, threads)) {
+Result<void> separate(SiteSet& set, double least, int threads, const NearError& error) {
+  if (const auto pair = tooNear(set, least, threads)) {
     return tl::unexpected(error(set.id[pair->first], set.id[pair->second]));
   }
   dropTiny(set.x, threads);
   dropTiny(set.y, threads);
   return {};
+}
+
+/// Prepares sites at least `least` apart; order(extent, scale, prepared) fills the set's sites and grid.
+template <class Order>
+Result<Prepared> prepareBy(const Sites& sites, const Box& domain, double least, int threads,
+                           const CallersSites* callers, const Order& order) {
+  VORPIPE_TRY(checkDomain(domain));
+  VORPIPE_TRY(checkNumber(sites));
+  Prepared prepared;
+  prepared.exponent = scaleExponent(domain);
+  const PowerOfTwo scale(prepared.exponent);
+  auto& set = prepared.set;
+  set.domain = scaledDomain(domain, prepared.exponent);
+  set.has_images = callers != nullptr;
+  if (set.has_images) set.shorter_side = scale(shorterSide(callers->domain));
+  set.coverage = {-infinite, -infinite, infinite, infinite};
+  const auto extent = extentOf(sites, scale, surroundings(set.domain), threads);
+  if (!extent.usable) return tl::unexpected(firstUnusable(sites, scale));
+  VORPIPE_LET(weights, scaledWeights(sites, prepared.exponent, threads));
+  order(extent, scale, prepared);
+  giveWeights(weights, threads, set);
+  VORPIPE_TRY(separate(set, least, threads, [&](std::uint32_t i, std::uint32_t j) {
+    return callers == nullptr ? nearSites(sites, i, j)
+                              : nearSites(callers->sites, callers->siteOf(i), callers->siteOf(j));
+  }));
+  return prepared;
 }
 
 }  // namespace
@@ -152,29 +182,18 @@ Result<void> checkSites(const Sites& sites, const Box& domain, int threads) {
 }
 
 Result<Prepared> prepare(const Sites& sites, const Box& domain, int threads, const CallersSites* callers) {
-  VORPIPE_TRY(checkDomain(domain));
-  VORPIPE_TRY(checkNumber(sites));
-  Prepared prepared;
-  prepared.exponent = scaleExponent(domain);
-  const PowerOfTwo scale(prepared.exponent);
-  auto& set = prepared.set;
-  set.domain = scaledDomain(domain, prepared.exponent);
-  set.has_images = callers != nullptr;
-  if (set.has_images) set.shorter_side = scale(shorterSide(callers->domain));
-  set.coverage = {-infinite, -infinite, infinite, infinite};
+  return prepareBy(sites, domain, least_distance, threads, callers,
+                   [&](const Extent& extent, const PowerOfTwo& scale, Prepared& prepared) {
+                     prepared.set.grid = gridOver(extent, surroundings(prepared.set.domain));
+                     orderByBins(sites, scale, threads, prepared.set, prepared.owner);
+                   });
+}
 
-  const auto near = surroundings(set.domain);
-  const auto extent = extentOf(sites, scale, near, threads);
-  if (!extent.usable) return tl::unexpected(firstUnusable(sites, scale));
-  VORPIPE_LET(weights, scaledWeights(sites, prepared.exponent, threads));
-  set.grid = gridOver(extent, near);
-  orderByBins(sites, scale, threads, set, prepared.owner);
-  giveWeights(weights, threads, set);
-  VORPIPE_TRY(separate(set, threads, [&](std::uint32_t i, std::uint32_t j) {
-    return callers == nullptr ? nearSites(sites, i, j)
-                              : nearSites(callers->sites, callers->siteOf(i), callers->siteOf(j));
-  }));
-  return prepared;
+Result<Prepared> prepareInOneBin(const Sites& sites, const Box& domain, int threads) {
+  return prepareBy(sites, domain, least_to_triangulate, threads, nullptr,
+                   [&](const Extent&, const PowerOfTwo& scale, Prepared& prepared) {
+                     keepDistinct(sites, scale, threads, prepared.set, prepared.owner);
+                   });
 }
 
 Result<Prepared> preparePart(const Sites& sites, const PartOfRun& part, int threads) {
@@ -186,7 +205,7 @@ Result<Prepared> preparePart(const Sites& sites, const PartOfRun& part, int thre
   set.coverage = {-infinite, -infinite, infinite, infinite};
   set.grid = part.grid;
   orderByBins(sites, PowerOfTwo(part.exponent), threads, set, prepared.owner, part.block);
-  VORPIPE_TRY(separate(set, threads,
+  VORPIPE_TRY(separate(set, least_distance, threads,
                        [&](std::uint32_t i, std::uint32_t j) { return nearSites(sites, i, j, part.names); }));
   return prepared;
 }

@@ -33,6 +33,10 @@ struct CallersSites {
 Result<Prepared> prepare(const Sites& sites, const Box& domain, int threads,
                          const CallersSites* callers = nullptr);
 
+/// The same in one bin, in the order of the input, for who triangulates them and searches no bins; sites may
+/// be as near to each other as 2^-140 of the domain.
+Result<Prepared> prepareInOneBin(const Sites& sites, const Box& domain, int threads);
+
 /// How to prepare a part of a run's sites, which have no weights, so that all results are the same as in the
 /// whole run.
 struct PartOfRun {

@@ -15,8 +15,8 @@ void CellPlaces::take(Label site, const Row& row) {
 
 VertexPlace CellPlaces::at(const std::array<std::uint32_t, 3>& faces) const {
   const PlaceInDouble near(face_[faces[0]], face_[faces[1]], face_[faces[2]]);
-  constexpr double well_conditioned = 32;
-  if (near.condition <= well_conditioned) return {near.place.x, near.place.y, near.place.z, near.error};
+  constexpr double well_enough = 32;
+  if (near.condition <= well_enough) return {near.place.x, near.place.y, near.place.z, near.error};
   VertexPlace place{};
   const Point3 p = vertexPlace(places_, site_, row_.neighbor[faces[0]], row_.neighbor[faces[1]],
                                row_.neighbor[faces[2]], &place.error);

@@ -118,26 +118,13 @@ EdgeAround edgeAround(const Row& row, std::size_t edge_end) {
   return around;
 }
 
-double tieOf(const Places& places, std::span<const Label> labels) {
+double tieOf(const Places& places, const EdgeLabels& labels) {
   double squared = HUGE_VAL;
-  std::vector<Point3> sites;
-  for (const Label label : labels) {
-    if (isWallLabel(label)) {
-      squared = std::pow(shortestSide(places.box), 2);
-    } else {
-      sites.push_back(places.sites[label]);
-    }
-  }
-  // Around an edge hundreds of sites may stand, on a circle: only those that are near along one direction are
-  // compared.
-  const auto along = [](const Point3& p) { return p.x + 0.5 * p.y + 0.25 * p.z; };
-  std::ranges::sort(sites, {}, along);
-  constexpr double squared_slope = 1 + 0.25 + 0.0625;
-  for (std::size_t a = 0; a < sites.size(); ++a) {
-    for (std::size_t b = a; b-- > 0;) {
-      const double apart = along(sites[a]) - along(sites[b]);
-      if (apart * apart > 1.5 * squared_slope * squared) break;
-      squared = std::min(squared, squaredDistance(sites[a], sites[b]));
+  for (std::size_t a = 0; a < labels.size(); ++a) {
+    if (isWallLabel(labels[a])) squared = std::min(squared, std::pow(shortestSide(places.box), 2));
+    for (std::size_t b = 0; b < a; ++b) {
+      if (isWallLabel(labels[a]) || isWallLabel(labels[b])) continue;
+      squared = std::min(squared, squaredDistance(places.sites[labels[a]], places.sites[labels[b]]));
     }
   }
   return tie_part * std::sqrt(squared);
@@ -146,7 +133,7 @@ double tieOf(const Places& places, std::span<const Label> labels) {
 double lengthInTies(const Places& places, const Rows& rows, const ShortEdge& edge, double fine) {
   const Row row = rows[static_cast<std::size_t>(edge.site)];
   const EdgeAround around = edgeAround(row, edge.edge_end);
-  const Label labels[] = {edge.site, row.neighbor[around.face], row.neighbor[around.other]};
+  const EdgeLabels labels{edge.site, row.neighbor[around.face], row.neighbor[around.other]};
   const double tie = tieOf(places, labels);
   return edgeLength(places, labels[0], labels[1], labels[2], row.neighbor[around.before],
                     row.neighbor[around.after], fine * tie) /

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "space/cell_places.h"
+#include "space/edge_classes.h"
 #include "space/label.h"
 #include "space/row_vertices.h"
 #include "space/rows.h"
@@ -33,9 +34,9 @@ struct EdgeAround {
 };
 EdgeAround edgeAround(const Row& row, std::size_t edge_end);
 
-/// The longest tie between these labels of cells, one of which is a site: what the distance of two sites or,
-/// with a wall, the shortest side of the box allows.
-double tieOf(const Places& places, std::span<const Label> labels);
+/// The longest tie between these labels, one of which is a site: what the distance of two sites or, with a
+/// wall, the shortest side of the box allows.
+double tieOf(const Places& places, const EdgeLabels& labels);
 
 /// The length of an edge, in ties between three of its labels.
 double lengthInTies(const Places& places, const Rows& rows, const ShortEdge& edge, double fine);

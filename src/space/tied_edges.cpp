@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <utility>
 
 #include "base/parallel.h"
 #include "space/place.h"
@@ -79,21 +80,14 @@ std::uint64_t TiedEdges::join(DisjointSets& sets) {
   }
   EdgeClasses classes(std::move(labels));
   joinOnes(sets, candidates, classes);
-  classes.forEachWhole([&](std::span<const std::uint32_t> members, std::span<const Label> around) {
-    const double tie = tieOf(places_, around);
-    bool is_tie = false;
-    for (const auto member : members) {
-      const ShortEdge& edge = edges_[candidates[member]];
-      const double length = edge.part * tieOf(places_, classes.edges()[member]);
-      is_tie = is_tie || length <= tie * finenessAt(endsOf(edge));
-    }
-    if (!is_tie) return;
-    ties += members.size();
-    for (const auto member : members) {
-      const Ends ends = endsOf(edges_[candidates[member]]);
-      sets.join(ends.from, ends.to);
-    }
-  });
+  // The sites around edges that are one lie on a circle, where the two nearest stand side by side, around one
+  // of the edges: a class is not longer than their tie if each of its edges is not longer than its own.
+  for (std::uint32_t c = 0; c < candidates.size(); ++c) {
+    if (!classes.isWhole(c)) continue;
+    const Ends ends = endsOf(edges_[candidates[c]]);
+    sets.join(ends.from, ends.to);
+    ++ties;
+  }
   return ties;
 }
 
@@ -107,18 +101,20 @@ void TiedEdges::joinOnes(DisjointSets& sets, const std::vector<std::uint32_t>& c
     for (std::size_t c = begin; c < end; ++c) {
       const EdgeLabels labels = classes.edges()[c];
       for (std::size_t out = 0; out < 3; ++out) {
-        // The face between two of the labels, in the cell of the site with the higher label.
-        const Label low = labels[out == 0 ? 1 : 0], site = labels[out == 2 ? 1 : 2];
+        // The face between two of the labels, in the cell of the site that has fewer faces.
+        Label other = labels[out == 0 ? 1 : 0], site = labels[out == 2 ? 1 : 2];
         if (isWallLabel(site)) continue;
+        if (!isWallLabel(other) && rowOf(rows_, other).faces < rowOf(rows_, site).faces)
+          std::swap(other, site);
         const Row row = rowOf(rows_, site);
-        const std::size_t face = row.faceOf(low), third = row.faceOf(labels[out]);
+        const std::size_t face = row.faceOf(other), third = row.faceOf(labels[out]);
         const auto own = static_cast<std::uint32_t>(row.ringBegin(face) + placeIn(row.ring(face), third));
         walkRing(
             vertices_, sets, [](auto) { return false; }, vertices_.cellOf(site), row, face, 0, steps);
         shorten(steps, [&](const RingStep& a, const RingStep& b) {
           if (a.edge_end != own && b.edge_end != own) return;
-          const std::uint32_t other = a.edge_end == own ? b.edge_end : a.edge_end;
-          pairs[c / edges_at_once].push_back({labels, labelsOf(site, other)});
+          const std::uint32_t one = a.edge_end == own ? b.edge_end : a.edge_end;
+          pairs[c / edges_at_once].push_back({labels, labelsOf(site, one)});
         });
       }
     }

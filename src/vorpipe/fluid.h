@@ -56,6 +56,10 @@ struct FluidOptions {
   FluidScheme scheme = FluidScheme::automatic;
   double viscosity = 0;  ///< kinematic: area per time
   FluidWalls walls = FluidWalls::slip;
+  /// With FluidScheme::projection: per time, the part of its way to the centroid of its cell that a site
+  /// moves besides. Parcels keep their velocities. 0: sites move as the fluid does, and may leave their
+  /// cells.
+  double centering = 0;
   /// The flow that this is, with the sites and velocities that it begins with. Then the error of velocities
   /// is known where exactVelocity() is.
   std::optional<FluidCase> known;
@@ -168,6 +172,9 @@ struct FluidSetup {
   FluidState state;
   FluidOptions options;
 };
+
+/// The number of parcels with which a case shows what it is for.
+std::uint64_t usualParcels(FluidCase which);
 
 /// Sets up a flow with about `parcels` parcels, at least 4.
 FluidSetup fluidCase(FluidCase which, std::uint64_t parcels);

@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -47,19 +48,29 @@ struct MapCells {
 };
 
 /// Returns what a map shows of sites and of cells with Detail::polygons, by the options of a picture of the
-/// globe.
+/// globe. Errors: those of optionsOnMap.
 Sites sitesOnMap(const Sites& sites, const RenderOptions& options);
-MapCells cellsOnMap(const Sites& sites, const Diagram& diagram, const RenderOptions& options,
-                    int threads = 0);
+Result<MapCells> cellsOnMap(const Sites& sites, const Diagram& diagram, const RenderOptions& options,
+                            int threads = 0);
 
-/// Returns the options of a picture of the plane with the map's border.
-RenderOptions optionsOnMap(const RenderOptions& options);
+/// Returns the options of a picture of the plane with the map's border, or with what it shows of the outline.
+/// Errors (input): those of cells in that outline.
+Result<RenderOptions> optionsOnMap(const RenderOptions& options);
+
+/// The box around what a flat map has of the outline, in the map's unit, which is what a picture of it shows
+/// by itself. None without an outline, for one that is wider than half of the map, and seen from above: all
+/// of the map is shown then. Errors: those of optionsOnMap.
+Result<std::optional<Box>> domainOnMap(const RenderOptions& options);
 
 /// Returns the edges between cells with Detail::polygons, each once, and the lines between sites whose cells
 /// share an edge: parts of great circles.
 MapLines edgesOnMap(const Sites& sites, const Diagram& diagram, const RenderOptions& options,
                     int threads = 0);
 MapLines dualOnMap(const Sites& sites, const Diagram& diagram, const RenderOptions& options, int threads = 0);
+
+/// Returns the meridians and parallels of a picture's graticule, and the border of the map, each at least
+/// once.
+MapLines graticuleOnMap(const RenderOptions& options);
 
 /// A line in degrees with the points in between of globePolygons: longitudes continue beyond 180. It is an
 /// edge of a cell, by its index in Diagram::neighbors, from its vertex to the next; or the shortest way

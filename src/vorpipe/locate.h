@@ -26,7 +26,7 @@ namespace vorpipe {
 /// cell.
 ///
 /// On the globe places are degrees, of longitudes of any turn, and one as near to several sites, up to
-/// rounding, belongs to the first of them. An outline there is refused.
+/// rounding, belongs to the first of them. Sides of an outline belong to it.
 class Locator {
  public:
   /// Prepares sites for the domain of `options`, its outline and its period; other options are ignored.

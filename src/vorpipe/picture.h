@@ -88,6 +88,7 @@ inline constexpr std::size_t most_colors = 254;
 struct RenderOptions {
   Box domain;         ///< the region drawn; also clips cells
   Outline outline{};  ///< also clips cells, inside the domain; pixels beyond it have no site
+  Outline borders{};  ///< drawn over cells and edges as wider lines, inside the outline; clips nothing
   Periodic periodic = Periodic::none;
   int width, height;  ///< pixels, 1 to largest_side each
   ColorBy color = ColorBy::site;
@@ -131,11 +132,14 @@ struct RenderOptions {
   double legend_factor = 1;          ///< of the numbers in the legend, as 1e-6 for km2 of areas in m2
   bool legend_beside = false;        ///< the legend is right of the picture, which is wider for it
   /// Sites are degrees of longitude and latitude, and cells are those on the sphere (globe.md). The picture
-  /// shows all of a map, in the middle: domain, outline, period, search, fit and view are not used.
+  /// shows all of a map, or a view in the map's unit, in the middle: domain, period, search and fit are not
+  /// used.
   bool globe = false;
   GlobeMap map = GlobeMap::plate_carree;
   /// In degrees: the globe as it is seen from far above this place (orthographic), in place of a map.
   std::optional<Point> view_from{};
+  /// Degrees between meridians, and between parallels, that are drawn on the map, with its border; 0: none.
+  double graticule = 0;
 };
 
 /// What the colors of a picture mean: numbers in a range, or names.

@@ -73,6 +73,8 @@ struct Marks {
   std::vector<Line> edges;    ///< between cells
   std::vector<Line> outline;  ///< of the domain, closed
   std::vector<Line> dual;     ///< between sites whose cells share an edge
+  std::vector<Line> borders;  ///< RenderOptions::borders, closed
+  std::vector<Line> graticule;
   SiteLabels labels;
 };
 
@@ -118,6 +120,11 @@ std::uint32_t inkOn(std::uint32_t rgba);
 /// The margin around a label's digits that separates them from lines, in pixels.
 double labelMargin(const RenderOptions& options);
 
+/// The width of lines along borders, in pixels.
+inline double borderWidth(const RenderOptions& options) { return 2 * options.edge_width + 1; }
+
+/// Seen on white as on dark cells.
+inline constexpr std::uint32_t graticule_color = 0xB3808080u;
 inline constexpr std::uint32_t dual_color = 0xFF1E32E6u, white = 0xFFFFFFFFu, black = 0xFF000000u;
 
 inline std::uint32_t edgeColor(const RenderOptions& options) {

@@ -7,7 +7,7 @@
 
 namespace vorpipe {
 
-/// A picture's view, or its domain if it has none; of the globe the box around its map.
+/// A picture's view, or its domain if it has none; of the globe the box around the whole map.
 const Box& shownBox(const RenderOptions& options);
 
 /// The frame of shownBox() in the picture, by frameOf().

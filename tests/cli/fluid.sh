@@ -51,6 +51,16 @@ for scheme in springs projection; do
   done
 done
 
+# With centering, of which the first half of a step asks for the cells that the last step ended with.
+centered="fluid --backend cpu --case rayleigh-taylor --particles 128"
+succeeds "a whole centered run" $centered --centering 3 --steps 6 --checkpoint out/whole.npz --stats out/centered.json
+succeeds "a part of it" $centered --centering 3 --steps 3 --checkpoint out/part.npz
+succeeds "the rest" fluid --backend cpu --threads 1 --resume out/part.npz --steps 3 --checkpoint out/rest.npz
+cmp out/whole.npz out/rest.npz || fail "other checkpoints"
+grep -q '"centering": 3' out/centered.json || fail "statistics have no centering"
+succeeds "the same without" $centered --centering 0 --steps 6 --checkpoint out/rest.npz
+cmp -s out/whole.npz out/rest.npz && fail "centering moves nothing"
+
 # -- A channel with an obstacle -------------------------------------------------------------------------
 cat >in/channel.wkt <<'END'
 POLYGON ((0 0, 1 0, 1 2, 0 2, 0 0), (0.3 0.8, 0.3 1, 0.7 1, 0.6 0.8, 0.3 0.8))
@@ -124,6 +134,7 @@ refused '-o: name what to write' fluid --case gresho
 refused '--scheme: projection is for domains that are full; springs have free surfaces' \
   fluid --backend cpu --case dam-break --particles 32 --scheme projection -o out/a.csv
 refused '--viscosity: -1 is not a number of 0 or more' $vortex --viscosity -1 -o out/a.csv
+refused '--centering: -1 is not a number of 0 or more' $vortex --centering -1 -o out/a.csv
 refused '--walls: "glue" is not slip or no-slip' $vortex --walls glue -o out/a.csv
 refused '--walls: without viscosity a fluid does not stick to them' $vortex --walls no-slip -o out/a.csv
 refused '--domain: outline: it reaches beyond the domain of the case, 0,0,1,1' $vortex --domain in/ring.geojson -o out/a.csv

@@ -198,9 +198,10 @@ def systems_are_those_of_maps(maps):
 def refused(maps):
     write_sites(next(inputs())[1])
     for options, wanted in (
-        (["--view", "0,0,1,1"], "--view: is for a plane"),
+        (["--view", "0,0,0,1"], "--view: xmin 0 is not below xmax 0"),
         (["--fit", "stretch"], "--fit: is for a plane"),
-        (["--domain", "0,0,1,1"], "--domain: pictures of --globe"),
+        (["--domain", "-180,-90,180,0"], "--domain: polygon 0 reaches"),
+        (["--graticule", "0.01"], "--graticule: 0.01 is not a number of degrees"),
         (["--project", "auto"], "--globe"),
         (["--search", "flann"], "--search: FLANN"),
         (["--map", "mercator"], "--map: \"mercator\" is not plate-carree or equal-earth"),
@@ -211,7 +212,7 @@ def refused(maps):
     ):
         said = maps.render(*SITES, *options, "-o", "refused.png", code=2)
         assert wanted in said and said.count("\n") == 1, f"{options}: {said}"
-    for option in (["--map", "equal-earth"], ["--view-from", "0,0"]):
+    for option in (["--map", "equal-earth"], ["--view-from", "0,0"], ["--graticule", "30"]):
         said = maps.render("--sites", "globe.csv", *option, "-o", "refused.png", code=2)
         assert f"{option[0]}: is for --globe" in said, said
 
@@ -247,6 +248,117 @@ def same_for_all(maps):
         assert done.returncode == 2 and wanted in done.stderr, done.stderr
 
 
-GLOBE_CHECKS = [pixels_have_their_sites, middle_is_the_nearest, shapes_are_cells, shapes_are_pixels, systems_are_those_of_maps,
+def write_outline():
+    """What 180 degrees cuts, a square with a hole, and what lies around a pole. Returns whether it has places."""
+    box = lambda west, south, east, north: [[west, south], [east, south], [east, north], [west, north], [west, south]]
+    polygons = [[box(170, -20, 180, -5)], [box(-180, -20, -170, -5)], [box(10, 10, 40, 35), box(20, 20, 25, 25)[::-1]],
+                [box(-180, 70, 180, 90)]]
+    with open("outline.geojson", "w", encoding="utf-8") as file:
+        json.dump({"type": "MultiPolygon", "coordinates": polygons}, file)
+
+    def inside(longitude, latitude):
+        within = lambda west, south, east, north: ((west < longitude) & (longitude < east) & (south < latitude) & (latitude < north))
+        islands = (np.abs(longitude) > 170) & (-20 < latitude) & (latitude < -5)
+        return islands | (within(10, 10, 40, 35) & ~within(20, 20, 25, 25)) | (latitude > 70)
+
+    return inside
+
+
+def outlines_are_masks(maps):
+    """Pixels have a site inside alone, and that which is nearest; what a picture shows is the outline."""
+    inside = write_outline()
+    sites = next(inputs())[1]
+    write_sites(sites)
+    vectors, domain = vectors_of(sites), ["--domain", "outline.geojson", "--repair"]
+    x, y = equal_earth(180, 0)[0], equal_earth(0, 90)[1]
+    for options in MAPS:
+        width, height = (301, 301) if options[0] == "--view-from" else (360, 180) if options[1] == "plate-carree" else (360, 175)
+        view = {"plate-carree": [-180, -90, 180, 90], "equal-earth": [-x, -y, x, y]}.get(options[1], [-1, -1, 1, 1])
+        maps.render(*SITES, *domain, *options, "--view=" + ",".join(map(str, view)), "--size", f"{width}x{height}", "--ids", "p.npy",
+                    "--check")
+        ids = np.load("p.npy")
+        at = directions(options, width, height)
+        shown = ~np.isnan(at).any(-1)
+        longitude, latitude = np.degrees(np.arctan2(at[..., 1], at[..., 0])), np.degrees(np.arcsin(np.clip(at[..., 2], -1, 1)))
+        near = [inside(longitude + right, latitude + up) for right in (-0.01, 0.01) for up in (-0.01, 0.01)]
+        for is_inside, sure in ((True, np.all(near, 0) & shown), (False, ~np.any(near, 0) | ~shown)):
+            assert ((ids != NO_SITE)[sure] == is_inside).all(), f"{options}: pixels are not {is_inside}"
+            assert sure.any(), f"{options}: no pixel is {is_inside}"
+        products = at[ids != NO_SITE] @ vectors.T
+        lack = products.max(1) - products[np.arange(len(products)), ids[ids != NO_SITE]]
+        assert lack.max() < 1e-9, f"{options}: {lack.max()}"
+    maps.render(*SITES, *domain, "--size", "100", "--ids", "p.npy")
+    assert np.load("p.npy").shape == (50, 100), "an outline all over the Earth is not on the whole map"
+    maps.render(*SITES, "--domain", "10,-20,40,35", "-o", "p.png", "-o", "p.pgw")
+    with open("p.pgw", encoding="ascii") as file:
+        across, _, _, down, left, top = (float(line) for line in file)
+    rows, columns = maps.read_png("p.png").shape[:2]
+    box = [left - across / 2, top + down * (rows - 0.5), left + across * (columns - 0.5), top - down / 2]
+    assert np.allclose(box, [10, -20, 40, 35], atol=1e-6), f"the picture shows {box}"
+
+
+def outlined_shapes_are_cells(maps):
+    """Of Equal Earth the areas are true; shapes seen from above are the pixels that have a site."""
+    write_outline()
+    write_sites(next(inputs())[1])
+    domain = ["--domain", "outline.geojson", "--repair"]
+    maps.run("cells", *SITES, *domain, "-o", "c.npz")
+    areas = np.load("c.npz")["areas"]
+    for options in MAPS:
+        maps.render(*SITES, *domain, *options, "--size", "1000", "--edges", "--show-sites", "-o", "p.svg", "-o", "p.png", "-o", "p.pgw"
+                    if options[0] == "--map" else "p.pdf", "--ids", "p.npy")
+        cells = {site: abs(sum(signed(ring) for ring in rings)) for site, rings in rings_of("p.svg").items()}
+        pixels = (np.load("p.npy") != NO_SITE).sum()
+        # Of the cap's last row of pixels all are inside, or none is.
+        assert abs(sum(cells.values()) / pixels - 1) < 0.02, f"{options}: {sum(cells.values())} of {pixels} pixels"
+        if options[1] == "equal-earth":
+            with open("p.pgw", encoding="ascii") as file:
+                sides = [float(line) / 1000 for line in file][:4]
+            found = np.array([cells.get(site, 0) for site in range(len(areas))]) * sides[0] * -sides[3]
+            assert np.abs(found - areas).max() < 2e-5 * areas.sum(), np.abs(found - areas).max()
+
+
+def signed(ring):
+    x, y = ring.T
+    return (np.dot(x, np.roll(y, -1)) - np.dot(y, np.roll(x, -1))) / 2
+
+
+def graticules_are_meridians_and_parallels(maps):
+    """What a graticule changes of a picture are pixels on its lines, and on the border of the map."""
+    write_sites(next(inputs())[1])
+    for options in MAPS:
+        size = ["--size", "300", "--background", "white"]
+        maps.render(*SITES, *options, *size, "-o", "p.png")
+        maps.render(*SITES, *options, *size, "--graticule", "45", "-o", "q.png", "-o", "q.svg", "-o", "q.pdf")
+        changed = (maps.read_png("p.png") != maps.read_png("q.png")).any(-1)
+        height, width = changed.shape
+        line, fine = np.arange(-180, 181, 45), np.linspace(-1, 1, 4001)
+        longitude = np.concatenate([np.repeat(line, len(fine)), np.tile(180 * fine, 5)])
+        latitude = np.concatenate([np.tile(90 * fine, len(line)), np.repeat([-90, -45, 0, 45, 90], len(fine))])
+        if options[0] == "--view-from":
+            above = [float(text) for text in options[1].split(",")]
+            toward, east = spherical(*above), spherical(above[0] + 90, 0)
+            at = spherical(longitude, latitude)
+            at = at[at @ toward > 0]
+            turn = np.linspace(0, 2 * np.pi, 4001)
+            right = np.concatenate([at @ east, np.cos(turn)])
+            up = np.concatenate([at @ np.cross(toward, east), np.sin(turn)])
+        else:
+            project = equal_earth if options[1] == "equal-earth" else lambda x, y: (x, y)
+            right, up = project(longitude, latitude)
+            right, up = right / project(180, 0)[0], up / project(0, 90)[1]
+        drawn = np.zeros_like(changed)
+        row, column = ((1 - up) / 2 * height).astype(int), ((1 + right) / 2 * width).astype(int)
+        drawn[row.clip(0, height - 1), column.clip(0, width - 1)] = True
+        wider = lambda mask: np.max([np.roll(mask, (down, right), (0, 1)) for down in (-1, 0, 1) for right in (-1, 0, 1)], 0)
+        assert not (changed & ~wider(drawn)).any(), f"{options}: {(changed & ~wider(drawn)).sum()} pixels beside lines differ"
+        assert not (drawn & ~wider(changed)).any(), f"{options}: {(drawn & ~wider(changed)).sum()} pixels of lines do not differ"
+        if shutil.which("rsvg-convert") is not None:
+            subprocess.run(["rsvg-convert", "-o", "r.png", "q.svg"], check=True)
+            off = np.abs(maps.read_png("q.png") - maps.read_png("r.png")).max(-1) > 60
+            assert (off & wider(drawn)).sum() < 0.2 * drawn.sum(), f"{options}: {off.sum()} pixels of the shapes differ"
+
+
+GLOBE_CHECKS = [outlines_are_masks, outlined_shapes_are_cells, graticules_are_meridians_and_parallels, pixels_have_their_sites, middle_is_the_nearest, shapes_are_cells, shapes_are_pixels, systems_are_those_of_maps,
                 refused, same_for_all]
 

@@ -157,6 +157,37 @@ def labels_stand_in_their_cells(maps):
             assert ids[int(y), int(x)] == names.index(name), f"{name} stands at {x}, {y}"
 
 
+def borders_are_those_of_features(maps):
+    """What --by changes of a picture are pixels beside borders; shapes have each border as a ring."""
+    rings = {"west": [[0, 0], [4, 0], [4.5, 3], [4, 6], [0, 6]], "east": [[4, 0], [10, 0], [10, 6], [4, 6], [4.5, 3]]}
+    with open("parts.geojson", "w", encoding="utf-8") as file:
+        json.dump({"type": "FeatureCollection", "features": [
+            {"type": "Feature", "properties": {"name": name}, "geometry": {"type": "Polygon", "coordinates": [[*ring, ring[0]]]}}
+            for name, ring in rings.items()]}, file)
+    with open("many.csv", "w", encoding="utf-8") as file:
+        file.write("x,y\n" + "".join(f"{x},{y}\n" for x, y in np.random.default_rng(3).uniform(0, [10, 6], (40, 2))))
+    options = ["--sites", "many.csv", "--domain", "parts.geojson", "--size", "500x300", "--edges"]
+    for smooth in ([], ["--antialias", "3"]):
+        maps.render(*options, *smooth, "-o", "p.png", "--ids", "p.npy")
+        maps.render(*options, *smooth, "--by", "name", "--check", "-o", "q.png", "--ids", "q.npy", "-o", "q.svg", "-o", "q.pdf")
+        assert (np.load("p.npy") == np.load("q.npy")).all(), "borders change the site of a pixel"
+        changed = (maps.read_png("p.png") != maps.read_png("q.png")).any(-1)
+        line = np.concatenate([np.linspace([4, 0], [4.5, 3], 600), np.linspace([4.5, 3], [4, 6], 600)]) * 50
+        row, column = np.nonzero(changed[5:-5, 5:-5])
+        distance = np.hypot(column[:, None] + 5.5 - line[:, 0], row[:, None] + 5.5 - line[:, 1]).min(1)
+        assert len(distance) > 300 and distance.max() < 3, f"{len(distance)} pixels differ, up to {distance.max()} off the border"
+    borders = [path for path in elements_of("q.svg", "g") if path.get("id") == "borders"][0][0].get("d")
+    found = sorted(sorted(tuple(float(n) for n in point.split()) for point in re.findall(r"[-\d.]+ [-\d.]+", ring))
+                   for ring in borders.split("Z")[:-1])
+    wanted = sorted(sorted((50.0 * x, 300 - 50.0 * y) for x, y in ring) for ring in rings.values())
+    assert np.allclose(found, wanted), f"{found} are the borders"
+    maps.run("render", "--globe", *options, "--by", "name", "--view-from", "5,3", "-o", "p.png", "-o", "p.svg", "--check")
+    rings_there = [path for path in elements_of("p.svg", "g") if path.get("id") == "borders"][0][0].get("d").count("Z")
+    assert rings_there == 2, f"{rings_there} borders on the globe"
+    said = maps.render("--sites", "many.csv", "--by", "name", "-o", "p.png", code=2)
+    assert "--by: is for features of a file that --domain names" in said, said
+
+
 def names_leave_small_cells(maps):
     """Names stand beside dots over a halo, on what is no cell as well; dots at the rim are whole."""
     with open("rim.csv", "w", encoding="utf-8") as file:
@@ -203,7 +234,7 @@ def check_maps(vorpipe, read_png):
     failures = 0
     maps = Maps(vorpipe, read_png)
     for check in (numbers_are_colors, names_are_colors, neighbors_differ, sheets_leave_the_map, labels_are_texts,
-                  labels_stand_in_their_cells, names_leave_small_cells, areas_have_a_unit, *GLOBE_CHECKS):
+                  labels_stand_in_their_cells, names_leave_small_cells, areas_have_a_unit, borders_are_those_of_features, *GLOBE_CHECKS):
         try:
             check(maps)
         except AssertionError as error:

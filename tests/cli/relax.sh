@@ -83,6 +83,12 @@ succeeds "sites from a density of the Earth" relax --backend cpu --globe --sites
 succeeds "by two threads" relax --backend cpu --globe --sites density:300 --density in/spheres.png \
   --density-box 0,-90,360,90 --iterations 3 --threads 2 -o out/earth-2.npy
 cmp out/earth-1.npy out/earth-2.npy || fail "threads change places on the globe"
+succeeds "pictures of the globe" relax --backend cpu --globe --sites random:200 --iterations 3 --frames out/earth --map equal-earth --size 200 \
+  --edges --graticule 30 --picture out/earth.png -o out/earth.csv
+[ "$(ls out/earth | wc -l)" = 4 ] || fail "not a frame for each diagram: $(ls out/earth)"
+succeeds "their last" render --backend cpu --globe --sites out/earth.csv --map equal-earth --size 200 --edges --graticule 30 -o out/last.png
+cmp out/earth.png out/last.png || fail "a picture of relaxed sites is not that of their file"
+cmp "$(ls out/earth/* | tail -n 1)" out/last.png || fail "the last frame is another picture"
 
 # -- Refusals -------------------------------------------------------------------------------------------
 wrong() {
@@ -111,8 +117,7 @@ wrong "masses of nothing" "--equal-masses: is for a --density" --sites random:9 
 wrong "a number of no grid" "no geodesic grid has 100 places: they have 10 k^2 + 2, and next to it are 92 and 162" --globe \
   --sites icosahedral:100 -o out/old.csv
 wrong "a grid without the globe" "icosahedral:42 is of the whole Earth, and takes --globe" --sites icosahedral:42 -o out/old.csv
-wrong "a picture of the globe" "--picture: is of a plane" --globe --sites random:9 --picture out/old.png
-wrong "frames of the globe" "--frames: are pictures of a plane" --globe --sites random:9 --frames out/old
+wrong "a map of a plane" "--map: is for --globe" --sites random:9 --map equal-earth --picture out/old.png
 wrong "a domain on the globe" "--domain: with --globe" --globe --sites random:9 --domain 0,0,1,1 -o out/old.csv
 wrong "equal masses on the globe" "--equal-masses: are of a plane" --globe --sites random:9 --equal-masses --density in/spheres.png \
   -o out/old.csv

@@ -33,8 +33,9 @@ NUMPY = 'it takes a python3 with NumPy, whose own is not that of every shell'
 INSTALLS = 'it installs'
 WINDOW = 'it opens a window; the test view plays the like of it'
 NOT_RUN = {
-    './run fluid --case rayleigh-taylor --frames mushroom-frames --every 2 --antialias 2 --size 200x400':
-        'it takes 20 s; the test docs_gallery does, with fewer pictures',
+    './run fluid --case rayleigh-taylor --frames mushroom-frames --every 4 --antialias 2 --size 200x400':
+        'it takes a minute; the test docs_gallery does, with fewer pictures',
+    'xvfb-run python3 docs/examples/foam.py foam.vtu foam.png': 'it needs VTK',
     'python3 docs/examples/film.py mushroom-frames mushroom.gif': 'it needs Pillow; docs/gallery.sh does where that is',
     'python3 tests/faults/campaign.py build/dev/src/cli/vorpipe --moments 200': 'it takes an hour; the test faults does',
     'python3 tests/faults/memory.py build/dev/src/cli/vorpipe build/dev/tests/faults/librefusals.so --moments 200':

@@ -117,6 +117,9 @@ static void friction(vorpipe_session* session) {
   PROMISE(isnan(vorpipe_fluid_velocity_error(NULL)));
   vorpipe_fluid_free(fluid);
   options.viscosity = 0;
+  options.centering = -1;
+  REFUSED(VORPIPE_INPUT, "centering", vorpipe_fluid_read(session, "taylor-green", 256, &options, &fluid));
+  options.centering = 0;
   options.walls = VORPIPE_WALLS_NO_SLIP;
   REFUSED(VORPIPE_INPUT, "walls", vorpipe_fluid_read(session, "taylor-green", 256, &options, &fluid));
 }

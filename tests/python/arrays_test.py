@@ -7,7 +7,7 @@ import pytest
 
 import vorpipe
 
-OF_DIAGRAMS = ['status', 'owner', 'areas', 'perimeters', 'centroids', 'second_moments', 'cell_offsets', 'cell_vertices',
+OF_DIAGRAMS = ['status', 'owners', 'areas', 'perimeters', 'centroids', 'second_moments', 'cell_offsets', 'cell_vertices',
                'neighbors', 'edge_lengths', 'triangles', 'ring_starts', 'mass', 'mass_centroids']
 
 
@@ -54,8 +54,8 @@ def test_arrays_have_types_that_numpy_computes_with(diagram):
 
 def test_indices_have_signs_so_that_their_differences_do(diagram):
     shared = diagram.topology()
-    for array in (diagram.owner, diagram.triangles, shared.vertex_of, shared.edge_of, shared.edge_vertices,
-                  vorpipe.render(diagram.sites, size=(20, 20)).owner):
+    for array in (diagram.owners, diagram.triangles, shared.vertex_of, shared.edge_of, shared.edge_vertices,
+                  vorpipe.render(diagram.sites, size=(20, 20)).owners):
         assert array.dtype == np.int32 and not array.flags.writeable
     one, other = diagram.triangles[:, 1], diagram.triangles[:, 2]
     assert (one - other).min() < 0 < (one - other).max()

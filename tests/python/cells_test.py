@@ -79,7 +79,9 @@ def test_a_number_added_to_all_weights_changes_nothing(random):
 def test_duplicates_have_an_owner_and_no_cell():
     diagram = vorpipe.cells([[0.2, 0.2], [0.7, 0.7], [0.2, 0.2]], domain=UNIT)
     assert diagram.status.tolist() == [Status.OK, Status.OK, Status.DUPLICATE]
-    assert diagram.owner.tolist() == [0, 1, 0]
+    assert diagram.owners.tolist() == [0, 1, 0]
+    with pytest.warns(DeprecationWarning, match='Diagram.owner is owners now'):
+        assert diagram.owner.tolist() == [0, 1, 0]
     assert diagram[2].vertices.shape == (0, 2) and diagram.polygons()[2].shape == (0, 2)
 
 
@@ -232,8 +234,7 @@ def test_arrays_of_npz_files_are_those_of_the_diagram(tmp_path, random):
         result.save(tmp_path / 'cells.npz')
         with np.load(tmp_path / 'cells.npz') as file:
             for name in file.files:
-                # All other files, and those of cells in space, have `owner`.
-                array = getattr(result, 'owner' if name == 'owners' else name)
+                array = getattr(result, name)
                 # Files have indices without a sign.
                 assert np.array_equal(file[name], array) and file[name].dtype in (array.dtype, np.uint32), name
 

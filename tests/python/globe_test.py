@@ -1,4 +1,5 @@
 """Cells of the whole Earth."""
+import json
 import os
 import pickle
 import subprocess
@@ -88,6 +89,39 @@ def test_areas_are_those_of_proj(places):
     assert areas.sum() == pytest.approx(EARTH, rel=1e-12)
 
 
+def finely(begin, end, step):
+    """Points of a great circle, from its begin, at most a step of radians apart."""
+    axis = np.cross(begin, end)
+    angle = np.arctan2(np.linalg.norm(axis), begin @ end)
+    turns = np.linspace(0, angle, max(1, int(np.ceil(angle / step))), endpoint=False)[:, None]
+    return np.cos(turns) * begin + np.sin(turns) * np.cross(axis / np.linalg.norm(axis), begin)
+
+
+@pytest.mark.parametrize('kind', ['random', 'track', 'clusters', 'lattice', 'caps'])
+def test_areas_of_all_cells_are_those_of_proj_between_near_points(kind, random):
+    """Of thin cells too: on the way to an edge's next point, 0.02 degrees, a geodesic is within a millimeter."""
+    pyproj = pytest.importorskip('pyproj')
+    ellipsoid = pyproj.Geod(ellps='WGS84')
+    sites, weights = degrees_of(on_sphere(random, 60)), None
+    if kind == 'track':  # of a ship, across which cells are long
+        sites = np.column_stack((np.linspace(-40, -30, 80), np.linspace(20, 45, 80) + random.normal(0, 1e-4, 80)))
+    elif kind == 'clusters':
+        near = [middle + random.normal(0, .01, (40, 2)) for middle in ((20, 50), (-100, -3))]
+        sites = np.concatenate((*near, sites[:20]))
+    elif kind == 'lattice':
+        sites = np.array([(x, y) for x in range(-180, 180, 30) for y in range(-75, 76, 30)])
+    elif kind == 'caps':
+        weights = random.uniform(0, 1e6, len(sites))
+    diagram = vorpipe.cells(sites, weights=weights, globe=True)
+    longest = 0.02
+    for cell in np.flatnonzero(diagram.status == 0):
+        corners = np.column_stack(unit_of(diagram.cell_vertices[slice(*diagram.cell_offsets[cell:cell + 2])]))
+        ways = zip(corners, np.roll(corners, -1, axis=0))
+        border = degrees_of(np.concatenate([finely(*ends, np.radians(longest)) for ends in ways]))
+        area = ellipsoid.polygon_area_perimeter(*border.T)[0] / 1e6
+        assert area == pytest.approx(diagram.areas[cell], rel=1e-6), cell
+
+
 def test_places_are_in_the_cell_that_holds_them(places, random):
     diagram = vorpipe.cells(places, globe=True)
     assert np.array_equal(diagram.locate(places), np.arange(len(places)))
@@ -95,6 +129,100 @@ def test_places_are_in_the_cell_that_holds_them(places, random):
     nearest = (ways @ np.column_stack(unit_of(places)).T).argmax(axis=1)
     assert np.array_equal(diagram.locate(degrees_of(ways)), nearest)
     assert diagram.locate((0, 95)) == vorpipe.NO_SITE
+
+
+# Two islands, one across 180 degrees, and a square with a hole.
+ISLANDS = {'type': 'MultiPolygon', 'coordinates': [
+    [[[170, -20], [190, -20], [190, -5], [170, -5], [170, -20]]],
+    [[[10, 10], [40, 10], [40, 35], [10, 35], [10, 10]], [[20, 20], [20, 25], [25, 25], [25, 20], [20, 20]]]]}
+
+
+@pytest.fixture
+def islands():
+    return pytest.importorskip('shapely.geometry').shape(ISLANDS)
+
+
+def test_places_in_an_outline_are_in_the_polygon_that_holds_them(places, islands, random):
+    """As GEOS says."""
+    pytest.importorskip('geopandas')
+    geometry = pytest.importorskip('shapely.geometry')
+    diagram = vorpipe.cells(places, domain=islands, globe=True, check=True)
+    frame = diagram.to_geopandas()
+    asked = np.column_stack((random.uniform(-180, 180, 4000), random.uniform(-25, 40, 4000)))
+    asked = np.concatenate((asked, [(lon, lat) for lon in (-179.5, 180, 539.5, 15, 22) for lat in (-10, 22)]))
+    found, seen = diagram.locate(asked), 0
+    for place, site in zip(asked, found):
+        point = geometry.Point((place[0] + 180) % 360 - 180, place[1])
+        if site == vorpipe.NO_SITE:
+            assert not islands.buffer(-0.001).contains(point)
+        else:
+            seen += 1
+            assert frame.geometry[site].distance(point) < 0.001
+    assert seen > 100 and diagram.locate((22, 22)) == vorpipe.NO_SITE
+
+
+@pytest.mark.parametrize('count', [1, 5, 500])
+def test_meshes_in_an_outline_have_its_cells(islands, random, count, tmp_path):
+    diagram = vorpipe.cells(degrees_of(on_sphere(random, count)), domain=islands, globe=True)
+    diagram.save(tmp_path / 'cells.obj')
+    points, faces = faces_of(tmp_path / 'cells.obj')
+    assert np.linalg.norm(points, axis=1) == pytest.approx(1, abs=1e-12)
+    sides = [(face[k - 1], face[k]) for face in faces for k in range(len(face))]
+    assert len(set(sides)) == len(sides), 'faces overlap'
+    assert max(np.degrees(np.arccos(points[a] @ points[b])) for a, b in sides) < 10.2
+    triangles = np.array([(face[0], face[k], face[k + 1]) for face in faces for k in range(1, len(face) - 1)])
+    a, b, c = (points[triangles[:, k]] for k in range(3))
+    dots = np.einsum('ij,ij->i', a, np.cross(b, c)), 1 + sum(np.einsum('ij,ij->i', *two) for two in ((a, b), (b, c), (c, a)))
+    assert 2 * np.arctan2(*dots).sum() == pytest.approx(diagram.solid_angles.sum(), rel=1e-9)
+    # The borders of two islands, one with a hole, are what is left open: rings without branches.
+    open_sides = [side for side in sides if side[::-1] not in set(sides)]
+    assert len({side[0] for side in open_sides}) == len(open_sides)
+    for kind in ('vtp', 'vtu', 'vtk', 'ply'):
+        diagram.save(tmp_path / f'cells.{kind}')
+
+
+def test_pictures_are_those_of_the_program(places, islands, tmp_path):
+    """Pixels and shapes."""
+    np.save(tmp_path / 'places.npy', places)
+    (tmp_path / 'islands.geojson').write_text(json.dumps(ISLANDS))
+    for options, words in (({}, []), ({'map': 'equal-earth', 'domain': islands}, ['--map', 'equal-earth', '--domain',
+                                                                                tmp_path / 'islands.geojson']),
+                           ({'view_from': (20, 30), 'edges': True, 'antialias': 2, 'graticule': 15, 'color': 'area', 'legend': 'beside'},
+                            ['--view-from', '20,30', '--edges', '--antialias', '2', '--graticule', '15', '--color', 'area', '--legend', 'beside'])):
+        picture = vorpipe.render(places, globe=True, size=200, check=True, backend='cpu', **options)
+        subprocess.run([os.environ['VORPIPE_PROGRAM'], 'render', '--globe', '--sites', tmp_path / 'places.npy', '--quiet', '--size', '200',
+                        '--backend', 'cpu', *words, '-o', tmp_path / 'p.png', '-o', tmp_path / 'p.svg', '--ids', tmp_path / 'p.npy'], check=True)
+        assert np.array_equal(picture.ids, np.load(tmp_path / 'p.npy'))
+        picture.save(tmp_path / 'q.png')
+        assert (tmp_path / 'q.png').read_bytes() == (tmp_path / 'p.png').read_bytes()
+        vorpipe.draw(places, tmp_path / 'q.svg', globe=True, size=200, backend='cpu', **options)
+        assert (tmp_path / 'q.svg').read_bytes() == (tmp_path / 'p.svg').read_bytes()
+        again = pickle.loads(pickle.dumps(picture))
+        assert again.check() == [] and np.array_equal(again.rgba, picture.rgba) and again.extent == picture.extent
+    assert 'km\u00b2' in (tmp_path / 'q.svg').read_text()
+
+
+@pytest.mark.parametrize('arguments, message', [
+    ({'globe': True, 'fit': 'stretch'}, '^fit: is for a plane'), ({'map': 'equal-earth'}, '^map: is for the globe'),
+    ({'view_from': (1, 2)}, '^view_from: is for the globe'), ({'globe': True, 'map': 'mercator'}, "^map: 'mercator' is none of"),
+    ({'globe': True, 'map': 'equal-earth', 'view_from': (1, 2)}, '^map: view_from is'), ({'graticule': 30}, '^graticule: '),
+    ({'globe': True, 'graticule': 91}, '^graticule.* 90'), ({'globe': True, 'view_from': (1, 92)}, 'no place')])
+def test_pictures_refuse_what_contradicts(places, arguments, message):
+    with pytest.raises(vorpipe.InputError, match=message):
+        vorpipe.render(places, **arguments)
+
+
+def test_relaxed_places_are_those_of_the_program(places, tmp_path):
+    np.save(tmp_path / 'places.npy', places)
+    relaxed = vorpipe.relax(places, globe=True, iterations=10, backend='cpu')
+    subprocess.run([os.environ['VORPIPE_PROGRAM'], 'relax', '--globe', '--sites', tmp_path / 'places.npy', '--iterations', '10', '--quiet',
+                    '--backend', 'cpu', '-o', tmp_path / 'moved.npy'], check=True)
+    assert np.array_equal(relaxed.sites, np.load(tmp_path / 'moved.npy'))
+    assert relaxed.hexagonal[-1] < 1.1 < relaxed.hexagonal[0] and np.abs(relaxed.sites[:, 0]).max() <= 180
+    assert relaxed.cells().area_sum() == pytest.approx(EARTH, rel=1e-12)
+    for options, message in (({'domain': (0, 0, 1, 1)}, '^domain: '), ({'equal_masses': True, 'density': np.ones((2, 2))}, '^equal_masses: ')):
+        with pytest.raises(vorpipe.InputError, match=message):
+            vorpipe.relax(places, globe=True, **options)
 
 
 def unit_of(places):

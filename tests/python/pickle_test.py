@@ -10,14 +10,14 @@ import vorpipe
 
 UNIT = (0, 0, 1, 1)
 FORK = [(0, 0), (3, 0), (3, 3), (2, 3), (2, 1), (1, 1), (1, 3), (0, 3)]
-OF_DIAGRAMS = ['sites', 'weights', 'domain', 'crs', 'center', 'periodic', 'detail', 'status', 'owner', 'areas',
+OF_DIAGRAMS = ['sites', 'weights', 'domain', 'crs', 'center', 'periodic', 'detail', 'status', 'owners', 'areas',
                'centroids', 'mass', 'mass_centroids', 'cell_offsets', 'neighbors', 'neighbor_shifts', 'ring_starts']
 OF_REPORTS = ['backend', 'device', 'driver', 'ok', 'empty', 'duplicate', 'hidden', 'retried', 'in_double', 'exact',
               'pixels', 'time_ms', 'notes', 'validation_messages']
 OF_TOPOLOGIES = ['vertices', 'vertex_of', 'edge_of', 'edge_vertices', 'edge_cells']
 OF_KEYS = ['color', 'scale', 'range', 'ticks']
 OF_POLYGONS = ['perimeters', 'second_moments', 'cell_vertices', 'edge_lengths']
-OF_PICTURES = ['rgba', 'ids', 'status', 'owner', 'sites', 'domain', 'extent']
+OF_PICTURES = ['rgba', 'ids', 'status', 'owners', 'sites', 'domain', 'extent']
 OF_RELAXED = ['sites', 'weights', 'energy', 'hexagonal', 'farthest', 'seconds', 'taken', 'end']
 OF_TRANSPORTED = ['weights', 'masses', 'areas', 'centroids', 'cost', 'trace', 'end', 'surface']
 PROTOCOLS = range(2, pickle.HIGHEST_PROTOCOL + 1)

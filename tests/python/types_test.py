@@ -51,7 +51,7 @@ try:
     vorpipe.cells([])
 except vorpipe.InputError as error:
     subject: Optional[str] = error.subject
-owners: npt.NDArray[np.int32] = vorpipe.cells({'x': [0, 1], 'y': [1, 2], 'name': ['a', 'b']}).owner
+owners: npt.NDArray[np.int32] = vorpipe.cells({'x': [0, 1], 'y': [1, 2], 'name': ['a', 'b']}).owners
 held: npt.NDArray[np.int64] = diagram.locate((0.5, 0.5))
 fluid = vorpipe.Fluid('shear', particles=50, session=None)
 fluid.run(steps=2, callback=lambda step: step.time < 1)

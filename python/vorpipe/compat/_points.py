@@ -63,7 +63,7 @@ def triangulated(points: Floats) -> Tuple[npt.NDArray[np.uint32], Indices]:
     diagram = cells(points)
     if not len(diagram.triangles):
         raise QhullError('points: all of them lie on a line', 'input', 'points')
-    return diagram.triangles.view(np.uint32), diagram.owner
+    return diagram.triangles.view(np.uint32), diagram.owners
 
 
 class PlaneSet:

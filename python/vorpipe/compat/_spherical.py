@@ -58,7 +58,7 @@ class SphericalVoronoi(SphericalBase):
         sides = ways[corners] - ways[corners[:, [1, 2, 0]]]
         nearest = np.einsum('ijk,ijk->ij', sides, sides).min()
         # The nearest neighbor of a point is one of its neighbors in the triangulation.
-        if nearest < tolerance**2 or (self._diagram.owner != np.arange(len(ways))).any():
+        if nearest < tolerance**2 or (self._diagram.owners != np.arange(len(ways))).any():
             raise ValueError('Duplicate generators present.')
         if np.abs(lengths - self.radius).max() >= tolerance:
             raise ValueError('Radius inconsistent with generators.')

@@ -7,7 +7,7 @@
 
 #include "base/try.h"
 #include "cli/cells_by.h"
-#include "cli/commands/cells_command.h"
+#include "cli/cells_command.h"
 #include "cli/commands/command.h"
 #include "cli/drawing.h"
 #include "cli/options/error_line.h"

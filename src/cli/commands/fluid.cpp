@@ -38,11 +38,12 @@ struct FluidCommand : RunOptions {
 /// discs.
 std::uint64_t bytesOf(const FluidOptions& options) {
   constexpr std::uint64_t of_springs = 920, of_projection = 1300, of_surface = 1850, of_friction = 100,
-                          of_polygons = 1300;
-  const std::uint64_t friction = options.viscosity != 0 ? of_friction : 0;
-  if (options.surface == Surface::free) return of_surface + friction;
-  if (options.periodic != Periodic::none || !options.outline.empty()) return of_polygons + friction;
-  return (schemeOf(options) == FluidScheme::projection ? of_projection : of_springs) + friction;
+                          of_centering = 50, of_polygons = 1300;
+  const std::uint64_t extras =
+      (options.viscosity != 0 ? of_friction : 0) + (options.centering != 0 ? of_centering : 0);
+  if (options.surface == Surface::free) return of_surface + extras;
+  if (options.periodic != Periodic::none || !options.outline.empty()) return of_polygons + extras;
+  return (schemeOf(options) == FluidScheme::projection ? of_projection : of_springs) + extras;
 }
 
 std::string_view optionOf(const FluidChoices& choices) {
@@ -85,7 +86,7 @@ Result<void> forecastCase(const FluidCommand& command) {
   FluidOptions options = fluidCase(*which, 64).options;
   takeGiven(choices, options);
   Workload work;
-  work.sites = choices.particles;
+  work.sites = choices.particles.value_or(usualParcels(*which));
   work.periodic = options.periodic != Periodic::none;
   return allowed(command, peakOf(command, work, bytesOf(options), options.domain)).map([](std::uint64_t) {});
 }
@@ -240,6 +241,7 @@ Result<void> writeFiles(const FluidCommand& command, CommandRun& run, const Flui
     json["fluid"] = {{"scheme", nameOf(schemeOf(options))},
                      {"viscosity", options.viscosity},
                      {"walls", nameOf(options.walls)},
+                     {"centering", options.centering},
                      {"epsilon", epsilon},
                      {"end", endWordOf(outcome.end)},
                      {"step", {first.step, last.step}},

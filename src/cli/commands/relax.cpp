@@ -128,17 +128,11 @@ Result<void> writeFiles(const RelaxCommand& command, SitesRun& run, const Relaxe
 
 /// Rejects what is of a plane.
 Result<void> checkGlobe(const RelaxCommand& command) {
-  const auto refuse = [](const char* what) {
-    return inputError(
-        fmt::format("{} of a plane; leave out --globe, or draw the files of -o afterwards", what));
-  };
   const InputOptions& input = command.input;
   if (input.domain.box || input.domain.hull || !input.domain.file.empty() || input.margin) {
     return inputError(fmt::format("{}: with --globe sites relax on the whole Earth",
                                   input.margin ? "--margin" : "--domain"));
   }
-  if (!command.targets.pictures.empty()) return refuse("--picture: is");
-  if (!command.targets.frames.empty()) return refuse("--frames: are pictures");
   if (command.options.equal_masses) return inputError("--equal-masses: are of a plane, and not with --globe");
   return {};
 }
@@ -207,6 +201,7 @@ void addRelax(CommandLine& line) {
   options.group("Output");
   addRelaxTargets(options, command->targets);
   addPictureGroup(options, command->picture);
+  addMapOptions(options, command->picture);
   addCommonOptions(options, *command);
 }
 

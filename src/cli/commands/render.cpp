@@ -161,6 +161,12 @@ void addRender(CommandLine& line) {
       "the power diagram (Laguerre or radical cells)",
       [command](const Invocation& how) { return render(*command, how); });
   addInputOptions(options, command->input).required();
+  command->input.keeps_whole = true;
+  addParsed(
+      options, "--by", command->input.by, "NAME",
+      "draws the borders of the features of --domain, which this attribute names, as lines wider than edges; "
+      "features of one name are one",
+      parseAttributeWord);
   addGlobe(options, command->input);
   options.group("Output");
   addPictureFiles(options, command->files);

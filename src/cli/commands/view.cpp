@@ -104,7 +104,7 @@ Result<void> checkFluid(const ViewCommand& command) {
                                   isFluid(command) ? "is for sites that are not a fluid's"
                                                    : "is for fluids; name one with --case or --resume"));
   };
-  std::vector<std::pair<std::string, bool>> of_fluids{{"--particles", fluid.particles_named},
+  std::vector<std::pair<std::string, bool>> of_fluids{{"--particles", fluid.particles.has_value()},
                                                       {"--flow-color", command.flow_color.has_value()},
                                                       {"--run", command.run}};
   forEachRow(fluid_rows, [&](const auto& row) {
@@ -171,7 +171,9 @@ Result<view::AppOptions> appOf(const ViewCommand& command) {
     options.viewer.settings.flow_color =
         command.flow_color.value_or(view::usualFlowColor(fluid->setup.state, command.picture.render.color));
   }
-  options.viewer.settings.parcels = command.fluid.particles;
+  if (const auto named = fluidCaseOf(command.fluid.begin)) {
+    options.viewer.settings.parcels = command.fluid.particles.value_or(usualParcels(*named));
+  }
   // A fluid gives another picture only after a step.
   const bool runs = command.relax || command.run || (isFluid(command) && command.frames);
   if (runs) options.viewer.settings.motion = view::Motion::runs;

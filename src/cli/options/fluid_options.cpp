@@ -69,11 +69,10 @@ void addFluidStart(Options& options, FluidChoices& choices, std::string_view usu
       options, "--resume", choices.resume, ".npz",
       "a --checkpoint to go on from, with the options that it was made with; the bytes are those of a run "
       "that was not interrupted");
-  addParsed(options, "--particles", choices.particles, "N", "about how many cells a named case has [2048]",
-            [&choices](std::string_view text) {
-              choices.particles_named = true;
-              return parseWhole(text, 4, max_sites);
-            });
+  addParsed(options, "--particles", choices.particles, "N",
+            fmt::format("about how many cells a named case has [{}, rayleigh-taylor {}]",
+                        usualParcels(FluidCase::taylor_green), usualParcels(FluidCase::rayleigh_taylor)),
+            [](std::string_view text) { return parseWhole(text, 4, max_sites); });
   forEachRow(fluid_rows, [&](const auto& row) {
     const bool ends = std::string_view(row.name) == "until";
     addRow(options, row, choices.options, choices.given, ends ? usual_end : std::string_view());
@@ -130,7 +129,7 @@ void takeGiven(const FluidChoices& choices, FluidOptions& options) {
 namespace {
 
 Result<FluidSetup> withoutOutline(const FluidChoices& choices, std::optional<FluidCase> named) {
-  if (named) return fluidCase(*named, choices.particles);
+  if (named) return fluidCase(*named, choices.particles.value_or(usualParcels(*named)));
   return readFluid(choices.begin.empty() ? choices.resume : choices.begin);
 }
 
@@ -144,7 +143,8 @@ Result<FluidSetup> withOutline(const FluidChoices& choices, std::optional<FluidC
   auto outline = mended(read->outline, choices.repair);
   if (!outline) return refused(std::move(outline.error()));
   if (named) {
-    auto setup = fluidCase(*named, choices.particles, std::move(outline->outline));
+    auto setup =
+        fluidCase(*named, choices.particles.value_or(usualParcels(*named)), std::move(outline->outline));
     if (!setup) return refused(std::move(setup.error()));
     return setup;
   }
@@ -163,7 +163,7 @@ Result<FluidSetup> startOf(const FluidChoices& choices) {
                                             : "--resume: continues a fluid, and --case begins one");
   }
   const auto named = fluidCaseOf(choices.begin);
-  if (!named && choices.particles_named) {
+  if (!named && choices.particles) {
     return inputError("--particles: is for named cases; files have as many as they have");
   }
   if (!choices.domain.empty() && !choices.resume.empty()) {

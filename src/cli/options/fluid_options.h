@@ -18,10 +18,9 @@ namespace vorpipe::cli {
 
 /// The values that the options set; all others come from the case or the file.
 struct FluidChoices {
-  std::string begin;   ///< a case, or a file
-  std::string resume;  ///< a file
-  std::uint64_t particles = 2048;
-  bool particles_named = false;
+  std::string begin;                       ///< a case, or a file
+  std::string resume;                      ///< a file
+  std::optional<std::uint64_t> particles;  ///< none: usualParcels() of the case
   FluidOptions options{};
   std::set<std::string_view> given;  ///< the names of those options that are given, by fluid_rows
   std::string domain, domain_layer;  ///< a file with an outline, and a layer of it

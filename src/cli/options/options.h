@@ -79,6 +79,7 @@ struct InputOptions {
   DomainChoice domain;
   std::string domain_layer;  ///< of the domain's file
   std::string by;            ///< attribute of its features, each of which is a domain by itself
+  bool keeps_whole = false;  ///< with `by`, all of them are the domain still
   std::optional<Margin> margin;
   std::optional<ProjectChoice> project;
   std::optional<CoordinateSystem> crs;  ///< of files that name none

@@ -319,19 +319,21 @@ void addMapOptions(Options& options, PictureOptions& picture) {
             "with --globe, the Earth as it is seen from far above this place, in degrees, in place of a map "
             "(orthographic)",
             parsePlace);
+  addRow(options, graticule_row, picture.render, picture.given);
 }
 
 Result<void> checkMap(const PictureOptions& picture, bool globe) {
   const bool has_map = picture.given.contains("map"), has_place = picture.render.view_from.has_value();
   if (!globe) {
-    if (!has_map && !has_place) return {};
-    return inputError(fmt::format("{}: is for --globe", has_map ? "--map" : "--view-from"));
+    const char* given = has_map                        ? "--map"
+                        : has_place                    ? "--view-from"
+                        : picture.render.graticule > 0 ? "--graticule"
+                                                       : nullptr;
+    if (given == nullptr) return {};
+    return inputError(fmt::format("{}: is for --globe", given));
   }
   if (has_map && has_place) return inputError("--map: --view-from is a map of its own; leave one out");
-  if (picture.render.view || picture.fit) {
-    return inputError(fmt::format("{}: is for a plane; pictures of --globe show the whole map",
-                                  picture.fit ? "--fit" : "--view"));
-  }
+  if (picture.fit) return inputError("--fit: is for a plane; maps of --globe keep their aspect");
   if (!picture.photograph.file.empty()) {
     return inputError("--color: a photograph is for a plane, not for --globe");
   }

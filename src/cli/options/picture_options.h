@@ -63,7 +63,7 @@ enum class LabelsOf : std::uint8_t { attributes, indices };
 void addMarkOptions(Options& options, PictureOptions& picture, LabelsOf labels = LabelsOf::attributes);
 /// Error (input): a number is given that draws nothing without a flag.
 Result<void> checkMarks(const PictureOptions& picture);
-/// --map, --view-from
+/// --map, --view-from, --graticule
 void addMapOptions(Options& options, PictureOptions& picture);
 /// Error (input): an option is for the globe and there is none, or for a plane and there is the globe.
 Result<void> checkMap(const PictureOptions& picture, bool globe);

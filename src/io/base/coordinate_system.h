@@ -76,6 +76,9 @@ CoordinateKind kindOfWkt(std::string_view definition);
 /// --project, 1.
 std::optional<double> squareKilometersIn(const CoordinateSystem& system);
 
+/// Names such areas in legends.
+inline constexpr const char* areas_in_kilometers = "area, km\u00B2";
+
 /// Reads the .prj beside a file, "towns.prj" for "towns.csv" and "towns.csv.gz", if it exists and nothing
 /// else names the file's system. `system` is the file's, and gets what is read. Errors (input): the .prj is
 /// no WKT definition, or its kind of coordinates differs from that of `system`.

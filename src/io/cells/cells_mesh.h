@@ -35,8 +35,8 @@ struct CellsMesh {
 Result<CellsMesh> cellsMesh(const ByteSink& sink, const Diagram& diagram);
 
 /// Cells on the globe as faces in space, with corners on the unit sphere. One that reaches farther than five
-/// degrees from its centroid is in pieces of that size, so that faces are near to the sphere. Error (input):
-/// as above.
+/// degrees from its centroid is in pieces of that size, so that faces are near to the sphere. In an
+/// outline pieces that are larger, or have holes, are triangles. Errors: as above.
 Result<CellsMesh> globeMesh(const ByteSink& sink, const Sites& sites, const Diagram& diagram);
 
 /// Cells as triangles for a device, which has the diagram's vertices as they are: each belongs to one cell.

@@ -31,11 +31,12 @@ std::vector<Point> pointsOf(const std::vector<double>& numbers) {
   return points;
 }
 
-constexpr std::array<std::string_view, 27> array_names{
-    "sites",   "weights",          "velocity",     "volume",  "density", "pressure",  "trend",   "order",
-    "domain",  "gravity",          "carried",      "time",    "until",   "length",    "epsilon", "tolerance",
-    "step",    "diagrams",         "periodic",     "surface", "scheme",  "viscosity", "walls",   "case",
-    "outline", "outline_polygons", "outline_rings"};
+constexpr std::array<std::string_view, 28> array_names{
+    "sites",    "weights", "velocity",         "volume",       "density",   "pressure",
+    "trend",    "order",   "domain",           "gravity",      "carried",   "time",
+    "until",    "length",  "epsilon",          "tolerance",    "step",      "diagrams",
+    "periodic", "surface", "scheme",           "viscosity",    "centering", "walls",
+    "case",     "outline", "outline_polygons", "outline_rings"};
 
 /// Refuses unknown arrays. A state is all that later steps depend on, so an unknown array is probably a
 /// misspelled one.
@@ -178,6 +179,7 @@ Result<void> writeFluid(ByteSink& sink, const FluidState& state, const FluidOpti
   arrays.add<std::uint8_t>("surface", one(names[1]));
   arrays.add<std::uint8_t>("scheme", one(names[2]));
   if (options.viscosity != 0) arrays.add<double>("viscosity", one(options.viscosity));
+  if (options.centering != 0) arrays.add<double>("centering", one(options.centering));
   const auto walls = static_cast<std::uint8_t>(options.walls);
   if (walls != 0) arrays.add<std::uint8_t>("walls", one(walls));
   const auto known = static_cast<std::uint8_t>(options.known.value_or(FluidCase{}));
@@ -227,6 +229,7 @@ Result<FluidSetup> readFluid(const std::string& path) {
   read.name("surface", options.surface);
   read.name("scheme", options.scheme);
   read.single("viscosity", options.viscosity);
+  read.single("centering", options.centering);
   read.name("walls", options.walls);
   options.known = caseIn(read, file);
   options.outline = outlineIn(read, file);

@@ -5,11 +5,14 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <map>
+#include <span>
 #include <unordered_map>
 #include <utility>
 
 #include "base/try.h"
 #include "io/base/error.h"
+#include "io/cells/cell_polygons.h"
 #include "io/cells/cells_mesh.h"
 
 namespace vorpipe {
@@ -20,6 +23,47 @@ constexpr double piece_degrees = 5;
 constexpr double longest_side = 2.01 * piece_degrees;
 
 double dot(const SpacePoint& a, const SpacePoint& b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
+
+SpacePoint cross(const SpacePoint& a, const SpacePoint& b) {
+  return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
+}
+
+SpacePoint normalized(const SpacePoint& a) {
+  const double length = std::sqrt(dot(a, a));
+  return {a.x / length, a.y / length, a.z / length};
+}
+
+/// The plane that touches the sphere about amid some points, where great circles are lines (gnomonic).
+class TouchingPlane {
+ public:
+  explicit TouchingPlane(std::span<const SpacePoint> points) : center_(points.front()) {
+    // Badoiu and Clarkson 2003, "Smaller core-sets for balls": a cap around all of them is hardly larger.
+    constexpr int steps = 60;
+    for (int step = 2; step < steps; ++step) {
+      const SpacePoint& far = *std::ranges::min_element(points, {}, [&](auto& p) { return dot(center_, p); });
+      const double part = 1.0 / step;
+      center_ = normalized({center_.x + part * (far.x - center_.x), center_.y + part * (far.y - center_.y),
+                            center_.z + part * (far.z - center_.z)});
+    }
+    const bool is_level = std::abs(center_.z) < 0.5;
+    right_ = normalized(cross(is_level ? SpacePoint{0, 0, 1} : SpacePoint{1, 0, 0}, center_));
+    up_ = cross(center_, right_);
+  }
+
+  [[nodiscard]] Point at(const SpacePoint& p) const {
+    const double depth = dot(center_, p);
+    return {dot(right_, p) / depth, dot(up_, p) / depth};
+  }
+  /// The cosine of the angle to the point that is farthest from the center.
+  [[nodiscard]] double reach(std::span<const SpacePoint> points) const {
+    double nearest = 1;
+    for (const SpacePoint& p : points) nearest = std::min(nearest, dot(center_, p));
+    return nearest;
+  }
+
+ private:
+  SpacePoint center_, right_{}, up_{};
+};
 
 struct PlaceHash {
   std::size_t operator()(const SpacePoint& p) const {
@@ -63,8 +107,129 @@ class GlobeFaces {
     fill(site, {-center.x, -center.y, -center.z}, outer);
   }
 
+  /// Adds a cell in an outline; returns whether its pieces could be cut into triangles.
+  [[nodiscard]] bool addOutlined(std::uint32_t site) {
+    if (diagram_.status[site] != Status::ok) return true;
+    const Cell cell = diagram_.cell(site);
+    const GlobeBorder border = globeBorder(sites_, diagram_, site, longest_side);
+    Piece piece;
+    for (const Ring& ring : ringsOf(diagram_, site)) {
+      const auto beginOf = [&](std::uint64_t entry) {
+        return entry < cell.end() ? border.begins[entry - cell.begin()] : border.points.size();
+      };
+      Piece one;
+      auto entry = ring.begin;
+      for (auto k = beginOf(ring.begin); k < beginOf(ring.end); ++k) {
+        const bool is_vertex = entry < ring.end && beginOf(entry) == k;
+        one.numbers.push_back(is_vertex ? vertex_of_[entry++] : between(border.points[k]));
+        one.points.push_back(border.points[k]);
+      }
+      one.ring_starts.push_back(0);
+      if (isHole(one.points)) {
+        piece.append(one);
+        continue;
+      }
+      if (!addPiece(site, piece)) return false;
+      piece = std::move(one);
+    }
+    return addPiece(site, piece);
+  }
+
  private:
   static constexpr double degree = 3.14159265358979323846 / 180;
+
+  /// A polygon with holes: the rings' points, and their numbers in the mesh.
+  struct Piece {
+    std::vector<SpacePoint> points;
+    std::vector<std::uint32_t> numbers;
+    std::vector<std::uint64_t> ring_starts;
+
+    void append(const Piece& hole) {
+      ring_starts.push_back(points.size());
+      points.insert(points.end(), hole.points.begin(), hole.points.end());
+      numbers.insert(numbers.end(), hole.numbers.begin(), hole.numbers.end());
+    }
+  };
+
+  static bool isHole(std::span<const SpacePoint> ring) {
+    const TouchingPlane plane(ring);
+    double sum = 0;
+    const Point first = plane.at(ring[0]);
+    for (std::size_t k = 1; k + 1 < ring.size(); ++k) {
+      const Point a = plane.at(ring[k]), b = plane.at(ring[k + 1]);
+      sum += (a.x - first.x) * (b.y - first.y) - (b.x - first.x) * (a.y - first.y);
+    }
+    return sum < 0;
+  }
+
+  [[nodiscard]] bool addPiece(std::uint32_t site, const Piece& piece) {
+    if (piece.points.empty()) return true;
+    const TouchingPlane plane(piece.points);
+    if (piece.ring_starts.size() == 1 && plane.reach(piece.points) >= std::cos(piece_degrees * degree)) {
+      for (const auto number : piece.numbers) addCorner(number);
+      endFace(site);
+      return true;
+    }
+    Diagram flat;
+    for (const SpacePoint& point : piece.points) flat.vertices.push_back(plane.at(point));
+    flat.status = {Status::ok};
+    flat.cell_offsets = {0, piece.points.size()};
+    flat.neighbors.assign(piece.points.size(), static_cast<std::int64_t>(Wall::outline));
+    flat.ring_starts = piece.ring_starts;
+    const auto cut = cellTriangles(flat);
+    if (!cut) return false;
+    std::map<Side, std::uint32_t> middles;
+    for (const auto& [a, b, c] : cut->triangles)
+      addTriangle(site, {piece.numbers[a], piece.numbers[b], piece.numbers[c]}, middles);
+    return true;
+  }
+
+  using Side = std::pair<std::uint32_t, std::uint32_t>;
+
+  /// Adds a triangle, or those that the middles of its long sides make of it; its neighbors have them as
+  /// well.
+  void addTriangle(std::uint32_t site, std::array<std::uint32_t, 3> corners,
+                   std::map<Side, std::uint32_t>& middles) {
+    const auto isLong = [&](std::size_t k) {
+      return dot(mesh_.inSpace(corners[k]), mesh_.inSpace(corners[(k + 1) % 3])) <
+             std::cos(1.01 * longest_side * degree);
+    };
+    const int count = isLong(0) + isLong(1) + isLong(2);
+    if (count == 0) {
+      for (const auto corner : corners) addCorner(corner);
+      return endFace(site);
+    }
+    // The last side is short, or all are long; the first is long.
+    while (count < 3 && (isLong(2) || !isLong(0))) std::ranges::rotate(corners, corners.begin() + 1);
+    const auto [a, b, c] = corners;
+    const auto first = middleOf(a, b, middles);
+    const auto add = [&](std::uint32_t p, std::uint32_t q, std::uint32_t r) {
+      addTriangle(site, {p, q, r}, middles);
+    };
+    if (count == 1) {
+      add(a, first, c);
+      return add(first, b, c);
+    }
+    const auto second = middleOf(b, c, middles);
+    add(first, b, second);
+    if (count == 2) {
+      add(a, first, second);
+      return add(a, second, c);
+    }
+    const auto third = middleOf(c, a, middles);
+    add(a, first, third);
+    add(third, second, c);
+    add(first, second, third);
+  }
+
+  std::uint32_t middleOf(std::uint32_t a, std::uint32_t b, std::map<Side, std::uint32_t>& middles) {
+    const auto [known, is_new] = middles.try_emplace(std::minmax(a, b), 0);
+    if (is_new) {
+      const SpacePoint p = mesh_.inSpace(a), q = mesh_.inSpace(b);
+      known->second = addPoint(normalized({p.x + q.x, p.y + q.y, p.z + q.z}));
+    }
+    return known->second;
+  }
 
   std::uint32_t addPoint(const SpacePoint& at) {
     mesh_.points.push_back({at.x, at.y});
@@ -130,10 +295,6 @@ class GlobeFaces {
 }  // namespace
 
 Result<CellsMesh> globeMesh(const ByteSink& sink, const Sites& sites, const Diagram& diagram) {
-  if (!diagram.ring_starts.empty()) {
-    return inputError(fmt::format(
-        "{}: cells in an outline on the globe are no faces; .gpkg and .geojson have them", sink.name()));
-  }
   constexpr std::uint64_t largest = std::numeric_limits<std::int32_t>::max();
   // .vtk stores one count of all faces plus their corners.
   if (diagram.vertices.size() + diagram.size() > largest) {
@@ -143,7 +304,15 @@ Result<CellsMesh> globeMesh(const ByteSink& sink, const Sites& sites, const Diag
   VORPIPE_VAR(vertices, distinctPoints(diagram.vertices));
   CellsMesh mesh;
   GlobeFaces faces(sites, diagram, std::move(vertices), mesh);
-  for (std::size_t site = 0; site < diagram.size(); ++site) faces.add(static_cast<std::uint32_t>(site));
+  const bool is_outlined = !diagram.ring_starts.empty();
+  for (std::uint32_t site = 0; site < diagram.size(); ++site) {
+    if (!is_outlined) {
+      faces.add(site);
+    } else if (!faces.addOutlined(site)) {
+      return deviceError(
+          fmt::format("{}: the cell of site {} could not be cut into triangles", sink.name(), site));
+    }
+  }
   return mesh;
 }
 

@@ -163,6 +163,21 @@ Result<void> writeDots(ByteSink& page, Bytes& text, const VectorPicture& picture
   return {};
 }
 
+/// Writes it in one stroke, so that lines are no darker where they meet.
+Result<void> writeGraticule(ByteSink& page, Bytes& text, const VectorPicture& picture) {
+  const Lines lines = picture.graticule();
+  if (lines.empty()) return {};
+  const Box clip = picture.clip();
+  put(text, "q\n");
+  printBox(text, clip.xmin, clip.ymin, clip.xmax - clip.xmin, clip.ymax - clip.ymin);
+  print(text, FMT_COMPILE("W n\n{} gs\n"), opacityName(graticule_color));
+  printColor(text, graticule_color, "RG");
+  printLength(text, picture.edgeWidth(), "w");
+  printLines(text, lines, /*closed=*/false);
+  put(text, "S\nQ\n");
+  return writeIfFull(page, text);
+}
+
 void printText(Bytes& text, const PdfFont& font, const LegendText& line) {
   const double size = line.height / PdfFont::capital_height, width = size * font.widthOf(line.text);
   const double left = line.x - (line.anchor == Anchor::start ? 0
@@ -257,6 +272,12 @@ Result<void> writeContents(ByteSink& page, const VectorPicture& picture, const P
   if (picture.hasEdges()) {
     VORPIPE_TRY(writeEdges(page, text, picture));
   }
+  if (const Lines lines = picture.borders(); !lines.empty()) {
+    printColor(text, picture.edgeColor(), "RG");
+    printLength(text, borderWidth(picture.options()), "w");
+    printLines(text, lines, /*closed=*/true);
+    put(text, "S\n");
+  }
   if (!picture.dual().empty()) {
     VORPIPE_TRY(writeDual(page, text, picture));
   }
@@ -264,6 +285,7 @@ Result<void> writeContents(ByteSink& page, const VectorPicture& picture, const P
     VORPIPE_TRY(writeDots(page, text, picture));
   }
   put(text, "Q\n");
+  VORPIPE_TRY(writeGraticule(page, text, picture));
   if (picture.hasNamedDots()) {
     VORPIPE_TRY(writeDots(page, text, picture));
   }
@@ -321,9 +343,13 @@ std::string pageObject(const VectorPicture& picture, const Points& points) {
     for (const LegendBox& box : picture.legend()->boxes) opacities.insert(box.rgba >> 24);
   }
   for (const LegendBox& box : picture.sheet().legend.boxes) opacities.insert(box.rgba >> 24);
+  const bool has_graticule = !picture.graticule().empty();
+  if (has_graticule) opacities.insert(graticule_color >> 24);
   std::string states;
   for (const std::uint32_t opacity : opacities) {
-    states += fmt::format("{} << /ca {:.3g} >> ", opacityName(opacity << 24), opacity / opaque);
+    const double part = opacity / opaque;
+    states += fmt::format("{} << /ca {:.3g} ", opacityName(opacity << 24), part);
+    states += has_graticule ? fmt::format("/CA {:.3g} >> ", part) : ">> ";
   }
   const std::string fonts =
       hasText(picture) ? fmt::format("/Font << {} {} 0 R >> ", font_name, font_object) : std::string();

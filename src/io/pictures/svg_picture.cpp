@@ -146,17 +146,20 @@ Result<void> writeCells(ByteSink& sink, Bytes& text, const VectorPicture& pictur
 }
 
 /// Begins a layer of lines that are not filled.
-void beginLines(Bytes& text, std::string_view name, const VectorPicture& picture, std::uint32_t color,
+void beginLines(Bytes& text, std::string_view name, std::string_view clip, std::uint32_t color,
                 double width) {
-  beginLayer(text, name, clipOf(picture));
+  beginLayer(text, name, clip);
   put(text, " fill=\"none\"");
   printColor(text, "stroke", color);
+  if (const std::uint32_t alpha = color >> 24; alpha != opaque) {
+    print(text, FMT_COMPILE(" stroke-opacity=\"{:.3g}\""), alpha / double{opaque});
+  }
   printLength(text, "stroke-width", width);
   put(text, ">\n");
 }
 
 Result<void> writeEdges(ByteSink& sink, Bytes& text, const VectorPicture& picture) {
-  beginLines(text, "edges", picture, picture.edgeColor(), picture.edgeWidth());
+  beginLines(text, "edges", clipOf(picture), picture.edgeColor(), picture.edgeWidth());
   std::size_t lines_here = 0;
   auto written = picture.eachEdge([&](const Lines& lines) {
     if (lines_here == 0) put(text, "<path d=\"");
@@ -180,7 +183,7 @@ Result<void> writeEdges(ByteSink& sink, Bytes& text, const VectorPicture& pictur
 }
 
 Result<void> writeDual(ByteSink& sink, Bytes& text, const VectorPicture& picture) {
-  beginLines(text, "dual", picture, dual_color, picture.edgeWidth());
+  beginLines(text, "dual", clipOf(picture), dual_color, picture.edgeWidth());
   std::size_t lines_here = 0;
   for (const Line& line : picture.dual()) {
     put(text, lines_here == 0 ? "<path d=\"M" : "M");
@@ -281,11 +284,23 @@ Result<void> write(ByteSink& sink, const VectorPicture& picture, const Diagram& 
   if (picture.hasEdges()) {
     VORPIPE_TRY(writeEdges(sink, text, picture));
   }
+  if (const Lines lines = picture.borders(); !lines.empty()) {
+    beginLines(text, "borders", clipOf(picture), picture.edgeColor(), borderWidth(picture.options()));
+    put(text, "<path d=\"");
+    printLines(text, lines, "Z");
+    put(text, "\"/>\n</g>\n");
+  }
   if (!picture.dual().empty()) {
     VORPIPE_TRY(writeDual(sink, text, picture));
   }
   if (!picture.dots().empty()) {
     VORPIPE_TRY(writeDots(sink, text, picture));
+  }
+  if (const Lines lines = picture.graticule(); !lines.empty()) {
+    beginLines(text, "graticule", "frame", graticule_color, picture.edgeWidth());
+    put(text, "<path d=\"");
+    printLines(text, lines, "");
+    put(text, "\"/>\n</g>\n");
   }
   if (!picture.labels().empty()) {
     VORPIPE_TRY(writeLabels(sink, text, picture));

@@ -82,14 +82,16 @@ Result<VectorPicture> VectorPicture::make(const Sites& sites, const Diagram& dia
     picture.legend_ = legendOf(*picture.colors_.key, options);
   }
   if (options.globe) {
-    picture.map_ = std::make_unique<OnMap>(OnMap{cellsOnMap(sites, diagram, options, threads), {}});
+    VORPIPE_VAR(cells, cellsOnMap(sites, diagram, options, threads));
+    picture.map_ = std::make_unique<OnMap>(OnMap{std::move(cells), {}, {}});
+    if (options.graticule > 0) picture.map_->graticule = graticuleOnMap(options);
     if (options.edges) picture.map_->edges = edgesOnMap(sites, diagram, options, threads);
     picture.sites_ = &picture.map_->cells.sites;
     picture.diagram_ = &picture.map_->cells.diagram;
     picture.options_ = &picture.map_->cells.options;
   }
   if (options.show_sites && !hasNames(options)) {
-    VORPIPE_TRY(picture.placeDots(threads));
+    VORPIPE_TRY(picture.placeDots(sites, options, threads));
   }
   if (options.dual) {
     VORPIPE_VAR(lines, dualLines(sites, diagram, options, threads));
@@ -120,7 +122,7 @@ std::optional<LegendBox> VectorPicture::boxBelow(const SiteLabel& label) const {
 }
 
 /// Places one dot at each position of a site that has a cell there.
-Result<void> VectorPicture::placeDots(int threads) {
+Result<void> VectorPicture::placeDots(const Sites& given, const RenderOptions& wanted, int threads) {
   const Sites& sites = *sites_;
   const Box& domain = options_->domain;
   const bool periodic = options_->periodic != Periodic::none;
@@ -132,8 +134,8 @@ Result<void> VectorPicture::placeDots(int threads) {
     if (!(x >= domain.xmin && x <= domain.xmax && y >= domain.ymin && y <= domain.ymax)) continue;
     if (diagram_->status[i] != Status::duplicate) shown.push_back(i);
   }
-  if (!options_->outline.empty() && !map_) {
-    VORPIPE_TRY(keepInOutline(at, shown, threads));
+  if (!wanted.outline.empty()) {
+    VORPIPE_TRY(keepInOutline(wanted, map_ ? given : at, shown, threads));
   }
   dot_ = dotSizeOf(options_->dot_size, spacingOf(shown), {places_.frame().width, places_.frame().height});
   dots_.reserve(shown.size());
@@ -141,9 +143,9 @@ Result<void> VectorPicture::placeDots(int threads) {
   return {};
 }
 
-Result<void> VectorPicture::keepInOutline(const Sites& at, std::vector<std::uint32_t>& sites,
-                                          int threads) const {
-  VORPIPE_VAR(locator, Locator::make(at, cellsOptions(*options_), threads));
+Result<void> VectorPicture::keepInOutline(const RenderOptions& wanted, const Sites& at,
+                                          std::vector<std::uint32_t>& sites, int threads) {
+  VORPIPE_VAR(locator, Locator::make(at, cellsOptions(wanted), threads));
   std::vector<Point> places(sites.size());
   std::ranges::transform(sites, places.begin(), [&](std::uint32_t i) { return Point{at.x[i], at.y[i]}; });
   std::vector<std::uint32_t> cells(sites.size());
@@ -171,8 +173,19 @@ double VectorPicture::spacingOf(std::span<const std::uint32_t> sites) const {
   return std::sqrt(*middle);
 }
 
-Lines VectorPicture::outline() const {
-  const Outline& outline = options_->outline;
+Lines VectorPicture::graticule() const {
+  Lines lines;
+  for (std::size_t k = 0; map_ && k < map_->graticule.size(); ++k) {
+    lines.begin();
+    for (const Point place : map_->graticule[k]) lines.add(pixelOf(place));
+  }
+  return lines;
+}
+
+Lines VectorPicture::outline() const { return ringsOf(options_->outline); }
+Lines VectorPicture::borders() const { return ringsOf(options_->borders); }
+
+Lines VectorPicture::ringsOf(const Outline& outline) const {
   Lines lines;
   for (std::size_t r = 0; r + 1 < outline.ring_offsets.size(); ++r) {
     lines.begin();

@@ -84,8 +84,8 @@ class Lines {
 };
 
 /// A picture with the same colors, edges, dual, dots, frame, labels and legend as one in pixels, in the order
-/// in which it is painted: cells, edges, the dual, dots, labels, the legend. Makes shapes one at a time, on
-/// request.
+/// in which it is painted: cells, edges, borders, the dual, dots, the graticule, labels, the legend. Makes
+/// shapes one at a time, on request.
 class VectorPicture {
  public:
   /// Width of a line around each cell, in the cell's color. It closes a gap: renderers smooth the two sides
@@ -120,6 +120,10 @@ class VectorPicture {
   [[nodiscard]] bool cellsShowBackground() const { return vorpipe::cellsShowBackground(*options_); }
   /// Rings that bound the cells, and clip edges and dots by the even-odd rule; none without an outline.
   [[nodiscard]] Lines outline() const;
+  /// Rings of RenderOptions::borders.
+  [[nodiscard]] Lines borders() const;
+  /// Open lines over all cells, in graticule_color.
+  [[nodiscard]] Lines graticule() const;
   [[nodiscard]] const DotSize& dot() const { return dot_; }
   /// Width of edges between cells, and of the dual.
   [[nodiscard]] double edgeWidth() const { return options_->edge_width; }
@@ -154,9 +158,12 @@ class VectorPicture {
  private:
   VectorPicture(const Sites& sites, const Diagram& diagram, const RenderOptions& options);
   [[nodiscard]] Point pixelOf(Point point) const { return places_.pixelOf(point); }
-  Result<void> placeDots(int threads);
+  /// The caller's sites and options.
+  [[nodiscard]] Lines ringsOf(const Outline& outline) const;
+  Result<void> placeDots(const Sites& given, const RenderOptions& wanted, int threads);
   /// Keeps only the sites, by index, whose positions `at` have a cell.
-  Result<void> keepInOutline(const Sites& at, std::vector<std::uint32_t>& sites, int threads) const;
+  static Result<void> keepInOutline(const RenderOptions& wanted, const Sites& at,
+                                    std::vector<std::uint32_t>& sites, int threads);
   [[nodiscard]] double spacingOf(std::span<const std::uint32_t> sites) const;
 
   void addRing(const Cell& cell, Lines& lines) const;
@@ -166,7 +173,7 @@ class VectorPicture {
   /// Cells of the globe on its map: what is drawn in place of the caller's.
   struct OnMap {
     MapCells cells;
-    MapLines edges;
+    MapLines edges, graticule;
   };
   std::unique_ptr<OnMap> map_;  ///< none in a plane
   const Sites* sites_;

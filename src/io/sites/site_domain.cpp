@@ -137,6 +137,9 @@ Result<void> takeOutlines(const Mend& mend, const Request& request, const Outlin
     placed.parts.push_back(std::move(outline));
   }
   placed.domain = boxOf(points);
+  if (!settings.keeps_whole) return {};
+  VORPIPE_VAR(whole, mendedBy(mend, request, all, file));
+  takeOutline(placed, std::move(whole));
   return {};
 }
 

@@ -38,8 +38,9 @@ struct DomainSettings {
   std::optional<CoordinateSystem> crs{};  ///< of sites and of an outline that name none
   /// Parts of the outline that are domains by themselves, and may overlap; none: it is one domain.
   std::vector<OutlinePart> parts{};
-  bool of_corners = false;  ///< the sites are only a few, with the same box as all
-  bool globe = false;       ///< sites are in degrees, and the domain is the whole Earth
+  bool keeps_whole = false;  ///< with parts, the outline is the domain still
+  bool of_corners = false;   ///< the sites are only a few, with the same box as all
+  bool globe = false;        ///< sites are in degrees, and the domain is the whole Earth
 };
 
 /// The caller's words for things that messages name.
@@ -65,7 +66,8 @@ struct PlacedSites {
   SitesFrom from = SitesFrom::caller;
   Box domain{0, 0, 1, 1};
   Outline outline{};  ///< the domain is its box
-  /// In place of an outline, its parts in the settings' order: domains by themselves, in whose box cells are.
+  /// In place of an outline, or with DomainSettings::keeps_whole beside it, its parts in the settings' order:
+  /// domains by themselves, in whose box cells are.
   std::vector<Outline> parts{};
   Periodic periodic = Periodic::none;
   CoordinateSystem system{};  ///< of the sites as given here

@@ -2,6 +2,8 @@
 /// other.
 #pragma once
 
+#include <fmt/core.h>
+
 #include <array>
 #include <cmath>
 #include <numbers>
@@ -144,6 +146,54 @@ inline std::vector<GlobeSet> hardOnGlobe() {
         return sites;
       }()));
   put("random", randomOnGlobe(3000, 11));
+  return sets;
+}
+
+/// Sites on a circle of any axis, `height` of whose plane is its distance from the middle of the sphere.
+inline Sites onCircle(std::array<double, 3> axis, double height, std::size_t count, std::uint64_t seed) {
+  Random random(seed);
+  const double length = std::hypot(axis[0], axis[1], axis[2]);
+  for (double& part : axis) part /= length;
+  // Two vectors at right angles to the axis and each other (Duff and others 2017).
+  const double sign = std::copysign(1, axis[2]), a = -1 / (sign + axis[2]), b = axis[0] * axis[1] * a;
+  const std::array right{1 + sign * axis[0] * axis[0] * a, sign * b, -sign * axis[0]};
+  const std::array up{b, sign + axis[1] * axis[1] * a, -axis[1]};
+  const double radius = std::sqrt(1 - height * height);
+  Sites sites;
+  for (std::size_t k = 0; k < count; ++k) {
+    const double angle = noise(random, std::numbers::pi), x = radius * std::cos(angle),
+                 y = radius * std::sin(angle);
+    const auto at = [&](std::size_t c) { return height * axis[c] + x * right[c] + y * up[c]; };
+    addVector(sites, at(0), at(1), at(2));
+  }
+  return sites;
+}
+
+/// Clusters of 64 sites that are 1e-6 to 1e-12 radians apart, alone and among others, and sites on circles,
+/// alone and with others.
+inline std::vector<GlobeSet> tightOnGlobe() {
+  constexpr double degree = std::numbers::pi / 180;
+  std::vector<GlobeSet> sets;
+  std::uint64_t seed = 100;
+  for (const double apart : {1e-6, 1e-8, 1e-10, 1e-11, 1e-12}) {
+    for (const Point middle : {Point{0, 0}, Point{20, 30}, Point{180, 0}, Point{-133, -71}, Point{90, 45}}) {
+      const double reach = 4 * apart / degree;
+      const Sites cluster = around(middle.x, middle.y, reach, 64, ++seed);
+      const std::string name = fmt::format("{} apart at {} {}", apart, middle.x, middle.y);
+      sets.push_back({name, cluster});
+      sets.push_back({name + " among others", joinedSites(cluster, randomOnGlobe(40, ++seed))});
+      sets.push_back({name + " and another", joinedSites(cluster, around(-40, 12, reach, 64, ++seed))});
+    }
+  }
+  for (const double height : {0.0, 0.3, -0.9, 0.999}) {
+    for (const std::array axis :
+         {std::array{0.0, 0.0, 1.0}, std::array{0.3, -0.5, 0.7}, std::array{1.0, 0.0, 0.0}}) {
+      const Sites circle = onCircle(axis, height, 100, ++seed);
+      const std::string name = fmt::format("circle {} around {} {} {}", height, axis[0], axis[1], axis[2]);
+      sets.push_back({name, circle, true});
+      sets.push_back({name + " and others", joinedSites(circle, randomOnGlobe(40, ++seed))});
+    }
+  }
   return sets;
 }
 

@@ -117,41 +117,49 @@ TEST(GlobeCells, RefuseWhatIsNoPlace) {
   EXPECT_THAT(refused(randomOnGlobe(100, 1), stopped), testing::HasSubstr("interrupted"));
 }
 
-/// By unit vectors, since in degrees only turns around the poles are exact.
-TEST(SphereCells, TurnWithTheirSites) {
-  using core::Direction;
-  core::SphereSites sites;
-  const Sites places = randomOnGlobe(2000, 6);
-  for (std::size_t i = 0; i < places.size(); ++i) {
-    sites.direction.push_back(core::directionOf({places.x[i], places.y[i]}));
-  }
-  const auto rowsOf = [](const core::SphereSites& of) {
-    const auto mesh = core::triangulateSphere(of, 1);
-    const auto cells = core::cellsOfSphere(of, *mesh, false, 1);
-    return std::pair(cells->offsets, cells->neighbor);
-  };
-  const auto rows = rowsOf(sites);
-  int turns = 0;
+/// The directions of sites turned by each of the rotations of a cube; exactly, as in degrees only turns
+/// around the poles are.
+std::vector<core::SphereSites> turned(const Sites& sites) {
+  std::vector<core::SphereSites> turns;
   std::array<int, 3> axes{0, 1, 2};
   do {
     for (unsigned signs = 0; signs < 8; ++signs) {
       const auto signOf = [signs](int k) { return (signs >> k & 1u) != 0 ? -1.0 : 1.0; };
       const int inversions = (axes[0] > axes[1]) + (axes[0] > axes[2]) + (axes[1] > axes[2]);
-      const double orientation = signOf(0) * signOf(1) * signOf(2) * (inversions % 2 == 0 ? 1 : -1);
-      if (orientation < 0) continue;
-      core::SphereSites turned;
-      for (const Direction& d : sites.direction) {
-        const std::array<double, 3> from{d.x, d.y, d.z};
+      if (signOf(0) * signOf(1) * signOf(2) * (inversions % 2 == 0 ? 1 : -1) < 0) continue;
+      auto& turn = turns.emplace_back();
+      for (std::size_t i = 0; i < sites.size(); ++i) {
+        const core::Direction d = core::directionOf({sites.x[i], sites.y[i]});
+        const std::array from{d.x, d.y, d.z};
         const auto at = [&](std::size_t k) {
           return signOf(static_cast<int>(k)) * from[static_cast<std::size_t>(axes[k])];
         };
-        turned.direction.push_back({at(0), at(1), at(2)});
+        turn.direction.push_back({at(0), at(1), at(2)});
       }
-      EXPECT_EQ(rowsOf(turned), rows);
-      ++turns;
     }
   } while (std::ranges::next_permutation(axes).found);
-  EXPECT_EQ(turns, 24);
+  return turns;
+}
+
+TEST(SphereCells, TurnWithTheirSites) {
+  std::vector<GlobeSet> sets = tightOnGlobe();
+  sets.push_back({"random", randomOnGlobe(2000, 6)});
+  for (const GlobeSet& set : sets) {
+    SCOPED_TRACE(set.name);
+    const auto rowsOf = [](const core::SphereSites& of) {
+      const auto mesh = core::triangulateSphere(of, 1);
+      const auto cells = core::cellsOfSphere(of, *mesh, false, 1);
+      std::vector<std::vector<std::int64_t>> rows(of.direction.size());
+      cells->visit(0, cells->steps(), [&](const core::SphereCell& cell) {
+        rows[cell.site].assign(cell.neighbor.begin(), cell.neighbor.end());
+      });
+      return rows;
+    };
+    const auto turns = turned(set.sites);
+    EXPECT_EQ(turns.size(), 24u);
+    const auto rows = rowsOf(turns.front());
+    for (const core::SphereSites& turn : turns) EXPECT_EQ(rowsOf(turn), rows);
+  }
 }
 
 /// The rings of an outline.

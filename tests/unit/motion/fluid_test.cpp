@@ -274,6 +274,7 @@ FluidSetup inUnits(FluidSetup setup, double length, double time, double mass) {
   options.gravity.x *= length / (time * time);
   options.gravity.y *= length / (time * time);
   options.viscosity *= length * length / time;
+  options.centering /= time;
   options.until *= time;
   for (double& x : state.sites.x) x *= length;
   for (double& y : state.sites.y) y *= length;

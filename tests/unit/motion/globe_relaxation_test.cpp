@@ -83,13 +83,13 @@ TEST(GlobeRelaxation, MomentsAddUpToTheSphere) {
     const auto cells = core::cellsOfSphere(sites, mesh, false, 1).value();
     double area = 0;
     Direction moment{0, 0, 0};
-    for (std::size_t i = 0; i < count; ++i) {
-      const auto of_cell = core::momentsOf(sites, cells, i, nullptr);
+    cells.visit(0, cells.steps(), [&](const core::SphereCell& cell) {
+      const auto of_cell = core::momentsOf(sites, cell, nullptr);
       area += of_cell.area;
-      moment = moment + of_cell.mass * sites.direction[i] + of_cell.lean;
+      moment = moment + of_cell.mass * cell.direction + of_cell.lean;
       // |x - p|^2 = 2 - 2 x . p.
-      EXPECT_NEAR(of_cell.energy, -2 * dot(of_cell.lean, sites.direction[i]), 1e-11 * of_cell.energy);
-    }
+      EXPECT_NEAR(of_cell.energy, -2 * dot(of_cell.lean, cell.direction), 1e-11 * of_cell.energy);
+    });
     EXPECT_NEAR(area, 4 * pi, 1e-12) << count;
     EXPECT_LT(lengthOf(moment), 1e-12) << count;
   }
@@ -122,16 +122,18 @@ void expectGlobeGradient(const Sites& sites, const RelaxOptions& options, double
   std::optional<core::GlobeDensity> density;
   if (!options.density.values.empty()) density.emplace(options.density);
   constexpr double step = 1e-2, degree = pi / 180;
-  for (std::size_t i = 0; i < sites.size(); i += 7) {
+  cells.visit(0, cells.steps(), [&](const core::SphereCell& cell) {
+    const auto i = cell.site;
+    if (i % 7 != 0) return;
     Sites north = sites, south = sites;
     north.y[i] += step;
     south.y[i] -= step;
     const Direction up = 1 / (2 * step * degree) * (directionAt(north, i) - directionAt(south, i));
     const double slope =
         (energyOnGlobe(north, options) - energyOnGlobe(south, options)) / (2 * step * degree);
-    const auto of_cell = core::momentsOf(placed, cells, i, density ? &*density : nullptr);
+    const auto of_cell = core::momentsOf(placed, cell, density ? &*density : nullptr);
     EXPECT_NEAR(slope, -2 * (1 + placed.excessOf(i)) * dot(of_cell.lean, up), slack) << "site " << i;
-  }
+  });
 }
 
 TEST(GlobeRelaxation, TheGradientIsThatOfTheEnergy) {

@@ -5,17 +5,16 @@
 
 #include <cmath>
 
-#include "proved_run.h"
 #include "space/edge_length.h"
 #include "space/ring_walk.h"
 #include "space/short_edges.h"
+#include "unit/space/proved_run.h"
 
 namespace vorpipe::test {
 namespace {
 
 using space::RingStep;
 
-constexpr Box3 unit_box{0, 0, 0, 1, 1, 1};
 constexpr double tie = 1e-6;
 
 // Rings
@@ -404,15 +403,16 @@ TEST(Contraction, namesEachShortEdgeOnce) {
 // Where the threshold matters
 
 /// Sites whose labels around the edge along z are a, b, c, d, on a circle; the edge is `length` long. b c and
-/// c d are 0.1 apart, b d 0.2, the others about 1.
-std::vector<Point3> fourAround(double length) {
+/// c d are 0.1 apart, b d 0.2, the others about 1. `out` moves c off the circle, less than a tie, so that a c
+/// or b d are neighbors in the simple complex.
+std::vector<Point3> fourAround(double length, double out) {
   const double radius = .6;
-  const auto onCircle = [&](double degrees) {
+  const auto onCircle = [&](double degrees, double moved = 0) {
     const double t = degrees * 3.14159265358979 / 180;
-    return Point3{radius * std::cos(t), radius * std::sin(t), 0};
+    return Point3{(radius + moved) * std::cos(t), (radius + moved) * std::sin(t), 0};
   };
   const double step = 2 * std::asin(.05 / radius) * 180 / 3.14159265358979;
-  std::vector<Point3> sites{onCircle(190), onCircle(20 - step), onCircle(20), onCircle(20 + step)};
+  std::vector<Point3> sites{onCircle(190), onCircle(20 - step), onCircle(20, out), onCircle(20 + step)};
   const double h = length / 2, far = std::hypot(radius, h);
   sites.push_back({.1, .05, h + std::sqrt(far * far - .0125)});
   sites.push_back({-.1, .03, -h - std::sqrt(far * far - .0109)});
@@ -441,8 +441,9 @@ std::pair<std::set<std::vector<std::int64_t>>, std::set<std::vector<std::int64_t
   return {faces, vertices};
 }
 
-/// Expects the same cells for all symmetries of the cube, and for other orders of the sites.
-void expectSymmetric(const std::vector<Point3>& sites, const Box3& box) {
+/// Expects the same cells for symmetries of the cube (each `step`-th of 48), and for other orders of the
+/// sites.
+void expectSymmetric(const std::vector<Point3>& sites, const Box3& box, int step = 1) {
   constexpr std::int64_t walls[] = {-1, -2, -3, -4, -6, -7};
   std::pair<std::set<std::vector<std::int64_t>>, std::set<std::vector<std::int64_t>>> first;
   std::array<std::size_t, 3> axes{0, 1, 2};
@@ -450,6 +451,7 @@ void expectSymmetric(const std::vector<Point3>& sites, const Box3& box) {
   int turn = 0;
   do {
     for (int mirrored = 0; mirrored < 8; ++mirrored, ++turn) {
+      if (turn % step != 0) continue;
       const auto turned = [&](const std::array<double, 3>& p) {
         std::array<double, 3> q{};
         for (std::size_t e = 0; e < 3; ++e) q[e] = (mirrored >> e & 1) != 0 ? -p[axes[e]] : p[axes[e]];
@@ -486,19 +488,46 @@ void expectSymmetric(const std::vector<Point3>& sites, const Box3& box) {
 
 TEST(Contraction, takesTheLeastDistanceOfAllSitesAroundAnEdge) {
   constexpr Box3 box{-1, -1, -1, 1, 1, 1};
-  // Two of the four triangles around the edge have d = 0.1, and two or one 0.2: which, the order of sites
-  // says.
-  for (const auto& [length, vertices] :
-       {std::pair(.5e-7, 1), {.9e-7, 1}, {1.1e-7, 2}, {1.5e-7, 2}, {2.5e-7, 2}}) {
-    SCOPED_TRACE(length);
-    const auto sites = fourAround(length);
-    const auto d = diagramOf(sites, box).diagram;
-    expectWhole(d);
-    int near = 0;
-    for (const auto& p : d.vertices) near += std::hypot(p.x, p.y, p.z) < 1e-3;
-    EXPECT_EQ(near, vertices);
-    if (length == 1.5e-7) expectSymmetric(sites, box);
+  // By the three sites of b d's triangles alone an edge of 1.5e-7 would be a tie, by those of a c's it would
+  // not.
+  for (const double out : {1e-13, -1e-13}) {
+    for (const auto& [length, vertices] :
+         {std::pair(.5e-7, 1), {.9e-7, 1}, {1.1e-7, 2}, {1.5e-7, 2}, {2.5e-7, 2}}) {
+      SCOPED_TRACE(std::to_string(length * 1e7) + "e-7, " + std::to_string(out * 1e13));
+      const auto sites = fourAround(length, out);
+      const auto d = diagramOf(sites, box).diagram;
+      expectWhole(d);
+      int near = 0;
+      for (const auto& p : d.vertices) near += std::hypot(p.x, p.y, p.z) < 1e-3;
+      EXPECT_EQ(near, vertices);
+      if (length == 1.5e-7) expectSymmetric(sites, box);
+    }
   }
+}
+
+TEST(Contraction, fromWallToWallIsOnTheEdgeOfTheBox) {
+  // The bisectors of three sites outside meet in a line that cuts an edge of the box off, by 3.5e-8.
+  const double off = 3.5e-8 / std::sqrt(2.), r = 3, turn = .01;
+  const auto site = [&](double along, double z) {
+    return Point3{(off + along) / std::sqrt(2.), (off + along) / std::sqrt(2.), .5 + z};
+  };
+  const std::vector<Point3> sites{site(-r, 0), site(r * std::cos(turn), r * std::sin(turn)),
+                                  site(r * std::cos(turn), -r * std::sin(turn))};
+  const auto d = diagramOf(sites, unit_box).diagram;
+  expectWhole(d);
+  std::size_t found = 0;
+  for (std::size_t v = 0; v < d.vertices.size(); ++v) {
+    const std::vector<std::int64_t> labels(
+        d.vertex_sites.begin() + static_cast<std::ptrdiff_t>(d.vertex_site_offsets[v]),
+        d.vertex_sites.begin() + static_cast<std::ptrdiff_t>(d.vertex_site_offsets[v + 1]));
+    if (labels != std::vector<std::int64_t>{wall_ymin, wall_xmin, 1, 2}) continue;
+    ++found;
+    EXPECT_EQ(d.vertices[v].x, 0);
+    EXPECT_EQ(d.vertices[v].y, 0);
+    EXPECT_NEAR(d.vertices[v].z, .5, 1e-12);
+  }
+  EXPECT_EQ(found, 1U);
+  EXPECT_EQ(d.status[0], Status::empty) << "of its faces none has an inside";
 }
 
 TEST(Contraction, isTheSameForMirrorsAndOrders) {
@@ -507,11 +536,11 @@ TEST(Contraction, isTheSameForMirrorsAndOrders) {
     return sites;
   };
   constexpr Box3 box{-.5, -.5, -.5, .5, .5, .5};
-  expectSymmetric(centered(latticeSites(2, 0, 41, true)), box);
-  expectSymmetric(centered(latticeSites(2, 2e-7, 42, true)), box);
-  expectSymmetric(centered(latticeSites(3, 1e-15, 43, false)), box);
-  expectSymmetric(centered(sphereSites(16, 0, 44)), box);
-  expectSymmetric(centered(sphereSites(16, 3e-7, 45)), box);
+  expectSymmetric(centered(latticeSites(2, 0, 41, true)), box, 5);
+  expectSymmetric(centered(latticeSites(2, 2e-7, 42, true)), box, 5);
+  expectSymmetric(centered(latticeSites(3, 1e-15, 43, false)), box, 5);
+  expectSymmetric(centered(sphereSites(16, 0, 44)), box, 5);
+  expectSymmetric(centered(sphereSites(16, 3e-7, 45)), box, 5);
 }
 
 TEST(Contraction, ofASphereAtTheThresholdHasNoRingTwiceAtAVertex) {
@@ -541,7 +570,7 @@ TEST(Contraction, ofAStackLeavesAFlatCellWithItsNeighbors) {
   EXPECT_EQ(neighborsOf(d, 13), (std::vector<std::int64_t>{27, 28}));
   EXPECT_GT(d.volume[13], 0);
   EXPECT_GE(neighborsOf(d, 27).size(), 4U);
-  expectSymmetric(sites, unit_box);
+  expectSymmetric(sites, unit_box, 11);
 }
 
 // Measures

@@ -5,14 +5,12 @@
 #include <cmath>
 #include <numbers>
 
-#include "proved_run.h"
+#include "unit/space/proved_run.h"
 
 namespace vorpipe::test {
 namespace {
 
-constexpr Box3 unit_box{0, 0, 0, 1, 1, 1};
-
-std::vector<Point3> randomSites(std::size_t count, unsigned seed) {
+std::vector<Point3> uniformSites(std::size_t count, unsigned seed) {
   std::mt19937_64 random(seed);
   std::uniform_real_distribution<double> inside(0, 1);
   std::vector<Point3> sites(count);
@@ -149,7 +147,7 @@ TEST(Polyhedra, ofLatticesHaveTheirFacesWhateverTheNoise) {
 }
 
 TEST(Polyhedra, areNumberedByTheInputAlone) {
-  auto sites = randomSites(40, 3);
+  auto sites = uniformSites(40, 3);
   sites.push_back(sites[5]);
   sites.push_back({3, 3, 3});
   for (int k = 0; k < 27; ++k)
@@ -196,7 +194,7 @@ TEST(Polyhedra, areNumberedByTheInputAlone) {
 }
 
 TEST(Polyhedra, haveVerticesAtEqualDistanceFromTheirSitesAndOnTheirWalls) {
-  auto sites = randomSites(30, 4);
+  auto sites = uniformSites(30, 4);
   for (int k = 0; k < 27; ++k)
     sites.push_back({.25 + .25 * (k % 3), .25 + .25 * (k / 3 % 3), .25 + .25 * (k / 9)});
   const auto d = diagramOf(sites, unit_box).diagram;
@@ -243,7 +241,7 @@ TEST(Polyhedra, haveVerticesAtEqualDistanceFromTheirSitesAndOnTheirWalls) {
 }
 
 TEST(Polyhedra, areInTheCallersUnits) {
-  const auto sites = randomSites(20, 5);
+  const auto sites = uniformSites(20, 5);
   const double unit = 0x1p-20;
   std::vector<Point3> small;
   for (const auto& p : sites) small.push_back({p.x * unit, p.y * unit, p.z * unit});
@@ -263,7 +261,7 @@ TEST(Polyhedra, areInTheCallersUnits) {
 }
 
 TEST(Polyhedra, takeMeasuresThatAreThere) {
-  const auto sites = randomSites(20, 6);
+  const auto sites = uniformSites(20, 6);
   for (const auto detail : {Detail3::measures, Detail3::polyhedra}) {
     const auto d = diagramOf(sites, unit_box, {.detail = detail, .order = 9, .measured = true}).diagram;
     for (std::size_t i = 0; i < sites.size(); ++i) {

@@ -16,7 +16,9 @@
 
 namespace vorpipe::test {
 
-struct RunOptions {
+inline constexpr Box3 unit_box{0, 0, 0, 1, 1, 1};
+
+struct ProvedRunOptions {
   Detail3 detail = Detail3::polyhedra;
   int threads = 1;
   unsigned order = 0;     ///< seed of the run's order; 0: the input's
@@ -30,7 +32,7 @@ struct Diagrammed {
 };
 
 inline Diagrammed diagramOf(const std::vector<Point3>& sites, const Box3& box,
-                            const RunOptions& options = {}) {
+                            const ProvedRunOptions& options = {}) {
   std::vector<std::uint32_t> owner(sites.size()), input;
   std::vector<Status> status(sites.size(), Status::ok);
   for (std::uint32_t i = 0; i < sites.size(); ++i) {

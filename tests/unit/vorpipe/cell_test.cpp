@@ -17,7 +17,8 @@ Sites pair() { return {{0.25, 0.75, 0.25}, {0.5, 0.5, 0.5}, {}}; }
 
 TEST(Walls, areToldFromSites) {
   EXPECT_FALSE(isWall(0));
-  for (const auto wall : {Wall::xmin, Wall::xmax, Wall::ymin, Wall::ymax, Wall::outline}) {
+  for (const auto wall :
+       {Wall::xmin, Wall::xmax, Wall::ymin, Wall::ymax, Wall::outline, Wall::zmin, Wall::zmax}) {
     EXPECT_TRUE(isWall(static_cast<std::int64_t>(wall)));
   }
 }
@@ -26,6 +27,8 @@ TEST(Walls, haveNames) {
   EXPECT_EQ(nameOf(Wall::xmin), "xmin");
   EXPECT_EQ(nameOf(Wall::ymax), "ymax");
   EXPECT_EQ(nameOf(Wall{-5}), "outline");
+  EXPECT_EQ(nameOf(Wall{-6}), "zmin");
+  EXPECT_EQ(nameOf(Wall{-7}), "zmax");
 }
 
 TEST(Cell, hasWhatTheDiagramSays) {

@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "base/try.h"
-#include "cli/commands/cells_command.h"
+#include "cli/cells_command.h"
 #include "cli/options/error_line.h"
 #include "cli/progress.h"
 #include "cli/space_input.h"
