@@ -17,7 +17,7 @@ from ._kept import Kept
 _OF_PLANE = {'periodic': 'the domain in space does not repeat itself', 'density': 'it is of a plane',
              'density_box': 'it is of a plane', 'surface': 'cells in space fill their domain',
              'globe': 'cells are either on the globe or in space', 'project': 'points in space are not degrees',
-             'crs': 'points in space have no reference system', 'attributes': 'points in space have those of their file',
+             'crs': 'points in space have no reference system', 'attributes': 'in space they are those of a file',
              'margin': 'a domain in space is six numbers, or the box of the points',
              'domain_layer': 'the domain in space is a box', 'repair': 'the domain in space is a box'}
 
@@ -319,7 +319,8 @@ def sites_in_space(points: Any) -> Optional[_vorpipe.SpaceSites]:
     array = np.ascontiguousarray(_arguments.numbers('points', points))
     wrong = np.flatnonzero(~np.isfinite(array).all(axis=1))
     if len(wrong):
-        raise _scalars.refuse('points', f'point {wrong[0]} is not finite: ' + ', '.join(f'{x:g}' for x in array[wrong[0]]))
+        numbers = ', '.join(f'{x:g}' for x in array[wrong[0]])
+        raise _scalars.refuse('points', f'point {wrong[0]} is not finite: {numbers}')
     return _vorpipe.space_sites(array)
 
 
