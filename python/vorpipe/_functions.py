@@ -28,7 +28,8 @@ def cells(points: Any, weights: Any = None, domain: Any = None, *, backend: str 
     Args:
         points: array-like of shape (N, 2), N at least 1, finite. Of shape (N, 3) they are points in space, and the
             cells are a `Diagram3` in a box (xmin, ymin, zmin, xmax, ymax, zmax): `weights` and what is of planes are
-            not for them; an array of x, y and weight is cells(a[:, :2], a[:, 2]). Or a table whose columns have names, as a DataFrame,
+            not for them; an array of x, y and weight is cells(a[:, :2], a[:, 2]). Or a table whose columns have names, as a
+            DataFrame,
             which are known as those of files are; geometries of points, as a GeoDataFrame or a list of shapely's; or
             `Sites`, which `read` made, or a path for it. All other columns are attributes.
         weights: (N,), in squared units of the points: the cell of point i is where |x - p_i|^2 - w_i is least. A
@@ -285,7 +286,8 @@ def compare(a: Union[Diagram, Diagram3, Picture],
             b: Union[Diagram, Diagram3, Picture]) -> Union[_vorpipe.CellsDiff, _vorpipe.SpaceDiff, _vorpipe.IdDiff]:
     """How two diagrams, or two pictures, of the same points differ; `agree` is True where rounding explains it.
 
-    Of diagrams: the status and owner of each site, its neighbors, and its area or volume. Of pictures: the site of each pixel.
+    Of diagrams: the status and owner of each site, its neighbors, and its area or volume. Of pictures: the site of each
+    pixel.
     """
     if isinstance(a, Diagram) and isinstance(b, Diagram):
         return _vorpipe.diff_cells(a._cells, b._cells)

@@ -17,7 +17,7 @@ from ._kept import Kept
 _OF_PLANE = {'periodic': 'the domain in space does not repeat itself', 'density': 'it is of a plane',
              'density_box': 'it is of a plane', 'surface': 'cells in space fill their domain',
              'globe': 'cells are either on the globe or in space', 'project': 'points in space are not degrees',
-             'crs': 'points in space have no reference system', 'attributes': 'points in space have those of their file',
+             'crs': 'points in space have no reference system', 'attributes': 'in space they are those of a file',
              'margin': 'a domain in space is six numbers, or the box of the points',
              'domain_layer': 'the domain in space is a box', 'repair': 'the domain in space is a box'}
 
@@ -307,14 +307,21 @@ def sites_in_space(points: Any) -> Optional[_vorpipe.SpaceSites]:
     if isinstance(points, (str, os.PathLike, Mapping, Kept)) or hasattr(points, 'columns') or hasattr(
             points, '__geo_interface__'):
         return None
-    if not isinstance(points, np.ndarray):
-        first = points[0] if isinstance(points, (list, tuple)) and points else points
-        if not hasattr(points, '__array__') and not (isinstance(first, (list, tuple, np.ndarray)) and len(first) == 3):
+    # What is said of points is a tuple, too, of a type of its own.
+    if type(points) in (list, tuple):
+        if not all(isinstance(point, (list, tuple, np.ndarray)) and len(point) == 3 for point in points):
             return None
+    elif not hasattr(points, '__array__'):
+        return None
     shape = np.shape(points)
     if len(shape) != 2 or shape[1] != 3:
         return None
-    return _vorpipe.space_sites(np.ascontiguousarray(_arguments.numbers('points', points)))
+    array = np.ascontiguousarray(_arguments.numbers('points', points))
+    wrong = np.flatnonzero(~np.isfinite(array).all(axis=1))
+    if len(wrong):
+        numbers = ', '.join(f'{x:g}' for x in array[wrong[0]])
+        raise _scalars.refuse('points', f'point {wrong[0]} is not finite: {numbers}')
+    return _vorpipe.space_sites(array)
 
 
 def cells_in_space(session: _vorpipe.Session, sites: _vorpipe.SpaceSites, weights: Any, domain: Any,

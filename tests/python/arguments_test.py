@@ -53,9 +53,10 @@ def test_points_are_not_changed():
 WRONG = [
     ('points', 'there are none', {'points': []}),
     ('points', 'there are none', {'points': np.empty((0, 2))}),
-    ('points', r'shape \(3, 3\), must be \(N, 2\)', {'points': np.zeros((3, 3))}),
+    ('points', r'shape \(3, 4\), must be \(N, 2\)', {'points': np.zeros((3, 4))}),
     ('points', r'shape \(2,\), must be \(N, 2\)', {'points': [1, 2]}),
     ('points', 'point 1 is not finite: nan, 1', {'points': [[0, 0], [np.nan, 1]]}),
+    ('points', 'point 1 is not finite: 2, nan, 1', {'points': [[0, 0, 0], [2, np.nan, 1]]}),
     ('points', 'point 0 is not finite: 0, inf', {'points': [[0, np.inf], [1, 1]]}),
     ('points', 'expected numbers', {'points': [['a', 'b']]}),
     ('points', 'expected numbers', {'points': [[1j, 0]]}),

@@ -29,6 +29,8 @@ def test_points_of_three_columns_are_in_space(foam):
     assert (foam.status == vorpipe.Status.OK).all() and (foam.owner == np.arange(400)).all()
     as_list = vorpipe.cells(foam.sites.tolist(), domain=UNIT)
     assert (as_list.volumes == foam.volumes).all()
+    plane = vorpipe.cells([[0, 0], [1, 2], [3, 1]])
+    assert isinstance(plane, vorpipe.Diagram) and isinstance(vorpipe.Session("cpu").cells([(0, 0)] * 3), vorpipe.Diagram)
 
 
 def test_neighbors_are_scipys(foam):
@@ -157,7 +159,8 @@ def test_points_of_files(tmp_path):
     assert again.points.tolist() == sites.points.tolist()
     np.save(tmp_path / 'a.npy', np.arange(12.0).reshape(4, 3) ** 2)
     assert len(vorpipe.read(tmp_path / 'a.npy', dim=3)) == 4
-    plane = vorpipe.cells(tmp_path / 'a.npy')
+    with pytest.warns(vorpipe.InputWarning, match='taken as weights'):
+        plane = vorpipe.cells(tmp_path / 'a.npy')
     assert isinstance(plane, vorpipe.Diagram) and plane.weights is not None
 
 
