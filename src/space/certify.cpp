@@ -125,9 +125,10 @@ class Certifier {
     inArenas(disputed_.size(), 64, [&](std::size_t begin, std::size_t end, RowArena& arena) {
       std::vector<Label> neighbors;
       std::vector<std::array<std::uint32_t, 3>> vertices;
+      ExactSearch search(bins_);
       for (std::size_t k = begin; k < end; ++k) {
         const std::uint32_t site = disputed_[k];
-        const ExactCell cell = exactCellOf(bins_, static_cast<Label>(site));
+        const ExactCell& cell = search.cellOf(static_cast<Label>(site));
         exact_[site] = 1;
         ++count;
         found_.rows.clear(site);
