@@ -1,10 +1,9 @@
 #include "space/certify.h"
 
 #include <algorithm>
-#include <atomic>
+#include <memory>
 #include <mutex>
 #include <string>
-#include <unordered_map>
 #include <utility>
 
 #include "base/parallel.h"
@@ -118,39 +117,32 @@ class Certifier {
     });
   }
 
+  /// One that no other thread uses: they keep what they know from one range of sites to the next.
+  std::unique_ptr<ExactSearch> takeSearch() {
+    const std::scoped_lock lock(mutex_);
+    if (searches_.empty()) return std::make_unique<ExactSearch>(bins_);
+    auto search = std::move(searches_.back());
+    searches_.pop_back();
+    return search;
+  }
+
   /// Recomputes the cells in dispute exactly.
   void recompute() {
     sortUnique(disputed_);
-    std::atomic<std::uint64_t> count{0};
-    inArenas(disputed_.size(), 64, [&](std::size_t begin, std::size_t end, RowArena& arena) {
-      std::vector<Label> neighbors;
-      std::vector<std::array<std::uint32_t, 3>> vertices;
-      ExactSearch search(bins_);
+    const std::size_t grain = std::clamp<std::size_t>(disputed_.size() / 256, 16, 4096);
+    inArenas(disputed_.size(), grain, [&](std::size_t begin, std::size_t end, RowArena& arena) {
+      std::unique_ptr<ExactSearch> search = takeSearch();
       for (std::size_t k = begin; k < end; ++k) {
         const std::uint32_t site = disputed_[k];
-        const ExactCell& cell = search.cellOf(static_cast<Label>(site));
+        const ExactRow& row = search->rowOf(static_cast<Label>(site));
         exact_[site] = 1;
-        ++count;
         found_.rows.clear(site);
-        if (cell.empty()) continue;
-        neighbors.clear();
-        vertices.clear();
-        for (const auto& corner : cell.vertices())
-          neighbors.insert(neighbors.end(), corner.begin(), corner.end());
-        std::ranges::sort(neighbors);
-        neighbors.erase(std::ranges::unique(neighbors).begin(), neighbors.end());
-        for (const auto& corner : cell.vertices()) {
-          std::array<std::uint32_t, 3> faces{};
-          for (std::size_t e = 0; e < 3; ++e) {
-            faces[e] = static_cast<std::uint32_t>(std::ranges::lower_bound(neighbors, corner[e]) -
-                                                  neighbors.begin());
-          }
-          vertices.push_back(faces);
-        }
-        found_.rows.set(site, neighbors, vertices, arena);
+        if (!row.neighbors.empty()) found_.rows.set(site, row.neighbors, row.vertices, arena);
       }
+      const std::scoped_lock lock(mutex_);
+      searches_.push_back(std::move(search));
     });
-    found_.exact += count;
+    found_.exact += disputed_.size();
     disputed_.clear();
   }
 
@@ -166,7 +158,7 @@ class Certifier {
           if (exact_[site] == 0) disputed.push_back(site);
           continue;
         }
-        const Verdict verdict = cell_check.check(static_cast<Label>(site));
+        const Verdict verdict = cell_check.check(static_cast<Label>(site), exact_[site] != 0);
         if (verdict.broken != Broken::nothing) {
           disputed.push_back(site);
           for (const Label with : verdict.with) {
@@ -204,6 +196,7 @@ class Certifier {
   CertifiedRows found_;
   std::vector<std::uint8_t> tied_, careful_, exact_;  ///< by site
   SiteList disputed_;
+  std::vector<std::unique_ptr<ExactSearch>> searches_;  ///< that are idle
   std::mutex mutex_;
 };
 

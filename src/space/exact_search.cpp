@@ -72,16 +72,25 @@ void ExactSearch::addLine(int x, int end, int y, int z, double limit) {
   }
 }
 
+/// Sites beyond the root of this cannot cut the cell. Squared distances and radii are rounded.
+double ExactSearch::squaredReach() const { return 4 * (1 + 1e-9) * cell_.squaredRadius(); }
+
 const ExactCell& ExactSearch::cellOf(Label site) {
   cell_.reset(site);
   begin(site);
-  constexpr double slack = 1 + 1e-9;  // of squared distances and radii that are rounded
   while (!cell_.empty()) {
-    const Label by = next(4 * slack * cell_.squaredRadius());
+    const Label by = next(squaredReach());
     if (by < 0) break;
     cell_.cut(by);
   }
   return cell_;
+}
+
+const ExactRow& ExactSearch::rowOf(Label site) {
+  if (memo_.find(site, row_)) return row_;
+  row_.set(cellOf(site).vertices());
+  if (!cell_.empty()) memo_.keep(row_, squaredReach());
+  return row_;
 }
 
 }  // namespace vorpipe::space

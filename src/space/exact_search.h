@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <vector>
 
+#include "space/cell_memo.h"
 #include "space/exact_cell.h"
 #include "space/site_bins.h"
 
@@ -12,9 +13,11 @@ namespace vorpipe::space {
 /// Cells by exact signs, one after another; one for each thread.
 class ExactSearch {
  public:
-  explicit ExactSearch(const SiteBins& bins) : bins_(bins), cell_(bins.places(), 0) {}
+  explicit ExactSearch(const SiteBins& bins) : bins_(bins), cell_(bins.places(), 0), memo_(bins) {}
   /// The exact cell of a site, cut by all sites that can cut it. It is valid until the next.
   const ExactCell& cellOf(Label site);
+  /// The same as a row, computed only if no cell with the same surroundings was.
+  const ExactRow& rowOf(Label site);
 
  private:
   struct Candidate {
@@ -24,6 +27,7 @@ class ExactSearch {
       return squared < other.squared || (squared == other.squared && site < other.site);
     }
   };
+  [[nodiscard]] double squaredReach() const;
   void begin(Label site);
   Label next(double limit);
   void addShell(double limit);
@@ -31,6 +35,8 @@ class ExactSearch {
 
   const SiteBins& bins_;
   ExactCell cell_;
+  CellMemo memo_;
+  ExactRow row_;
   Label site_ = 0;
   Point3 from_{};
   int bin_[3] = {}, shell_ = 0, last_shell_ = 0;
