@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "base/double_double.h"
+#include "space/relative.h"
 
 namespace vorpipe::space {
 namespace {
@@ -33,22 +34,27 @@ void ExactRow::set(std::span<const std::array<Label, 3>> corners) {
   }
 }
 
-/// Finds the sites within reach. Returns false if walls are, too: half as far, since no point of the cell is
-/// farther than that.
+/// Finds the sites within reach, and the walls within half of it: no point of the cell is farther. Returns
+/// false if there are too many.
 bool CellMemo::lookAround(Label site) {
   from_ = bins_.sites[static_cast<std::size_t>(site)];
-  const Box3& box = bins_.box;
-  const double wall = 2 * std::min({from_.x - box.xmin, box.xmax - from_.x, from_.y - box.ymin,
-                                    box.ymax - from_.y, from_.z - box.zmin, box.zmax - from_.z});
-  if (!(wall > 0 && wall * wall > squared_reach_ * (1 + 1e-9))) return false;
+  around_.clear();
+  key_ = 0;
+  for (int wall = 0; wall < walls; ++wall) {
+    const Label label = labelOfWall(wall);
+    const double distance = difference(label).x;
+    if (distance > 0 && 4 * distance * distance > squared_reach_ * (1 + 1e-9)) continue;
+    const std::uint64_t key =
+        mixed(std::bit_cast<std::uint64_t>(distance) + static_cast<std::uint64_t>(wall));
+    around_.push_back({key, label});
+    key_ += key;
+  }
   // What is near by its rounded distance is in these bins: more than rounding can take is added.
   const double reach = std::sqrt(squared_reach_) * (1 + 1e-9);
   const auto margin = [reach](double at) { return reach + 0x1p-50 * std::abs(at); };
   const double x = margin(from_.x), y = margin(from_.y), z = margin(from_.z);
   const auto low = bins_.binOf({from_.x - x, from_.y - y, from_.z - z});
   const auto high = bins_.binOf({from_.x + x, from_.y + y, from_.z + z});
-  around_.clear();
-  key_ = 0;
   for (int bin_z = low[2]; bin_z <= high[2]; ++bin_z) {
     for (int bin_y = low[1]; bin_y <= high[1]; ++bin_y) {
       const std::size_t line = (static_cast<std::size_t>(bin_z) * static_cast<std::size_t>(bins_.count[1]) +
@@ -75,7 +81,14 @@ bool CellMemo::lookAround(Label site) {
   return true;
 }
 
+/// Of a wall its distance; what stands beside is of no site.
 CellMemo::Difference CellMemo::difference(Label to) const {
+  if (isWallLabel(to)) {
+    const int wall = wallOf(to);
+    const double at = coordinate(from_, axisOf(wall)), offset = bins_.places().offset(wall);
+    const auto out = isUpper(wall) ? DoubleDouble::sum(offset, -at) : DoubleDouble::sum(at, -offset);
+    return {out.high, static_cast<double>(wall), HUGE_VAL, out.low, 0, 0};
+  }
   const Point3& p = bins_.sites[static_cast<std::size_t>(to)];
   const auto x = DoubleDouble::sum(p.x, -from_.x), y = DoubleDouble::sum(p.y, -from_.y),
              z = DoubleDouble::sum(p.z, -from_.z);
@@ -121,10 +134,10 @@ void CellMemo::write(const Known& known, ExactRow& row) {
 }
 
 void CellMemo::keep(const ExactRow& row, double squared_reach) {
-  if (std::ranges::any_of(row.neighbors, isWallLabel)) return;
   if (!usable_ || squared_reach > squared_reach_) {
     // A bit more, so that it does not depend on rounding which sites of a lattice are in reach.
-    squared_reach_ = std::max(squared_reach_, squared_reach * 1.03);
+    if (std::ranges::none_of(row.neighbors, isWallLabel))
+      squared_reach_ = std::max(squared_reach_, squared_reach * 1.03);
     return;
   }
   Known& known = table_[(key_ >> 32U) % table_size];

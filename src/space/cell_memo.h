@@ -18,8 +18,8 @@ struct ExactRow {
   void set(std::span<const std::array<Label, 3>> corners);
 };
 
-/// The exact cell of a site far from walls depends on the exact differences between the sites around and it,
-/// ties included: they are broken by the order of coordinates. In lattices these differences repeat, even
+/// The exact cell of a site depends on the exact differences between the sites and walls around and it, ties
+/// included: they are broken by the order of coordinates. In lattices these differences repeat, even
 /// where coordinates are rounded. Cells are kept by them, in a table of fixed size; one for each thread.
 /// Where few repeat it is not asked any more.
 class CellMemo {
