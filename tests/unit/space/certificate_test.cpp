@@ -55,9 +55,10 @@ struct Case {
 Complex truth(const Case& of, std::vector<std::uint8_t>& exact) {
   Complex complex;
   exact.assign(of.size(), 0);
+  ExactSearch search(of.bins);
   for (std::size_t i = 0; i < of.size(); ++i) {
     const auto site = static_cast<Label>(i);
-    const ExactCell cell = exactCellOf(of.bins, site);
+    const ExactCell& cell = search.cellOf(site);
     exact[i] = cell.empty() ? 1 : 0;
     for (const auto& v : cell.vertices()) add(complex, {site, v[0], v[1], v[2]});
   }
@@ -330,7 +331,8 @@ TEST_P(Lies, RowsThatDisagreeAreRefused) {
     EXPECT_TRUE(broken(*of_, proposal.rows, exact_).contains("C1"));
     // Two thirds are exchanged in the cell of one site alone.
     std::vector<std::array<Label, 3>> corners;
-    const ExactCell cell = exactCellOf(of_->bins, static_cast<Label>(site));
+    ExactSearch search(of_->bins);
+    const ExactCell& cell = search.cellOf(static_cast<Label>(site));
     corners.assign(cell.vertices().begin(), cell.vertices().end());
     const Label a = corners[0][0], b = corners[1 + random_() % (corners.size() - 1)][1];
     if (a == b) continue;

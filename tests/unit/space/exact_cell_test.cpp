@@ -1,5 +1,6 @@
 // Cells by exact signs: those of all sites together fulfil what makes them the diagram (C1 to C5).
 #include "space/exact_cell.h"
+#include "space/exact_signs.h"
 
 #include <gtest/gtest.h>
 
@@ -287,14 +288,16 @@ TEST(ExactCell, IsCutBySiteOnce) {
   }
 }
 
-/// No vertex is farther, and one is about as far, also if places in double are wrong by far.
+/// No vertex is farther, and one is about as far, also if places in double are wrong by far: true places are
+/// by integers.
 void expectRadius(const ExactCell& cell, const Places& places, Label site) {
   double least = 0, most = 0;
   for (const auto& [a, b, c] : cell.vertices()) {
     double error = 0;
     const Point3 p = vertexPlace(places, site, a, b, c, &error);
     const double distance = std::sqrt(squaredDistance(p, {0, 0, 0}));
-    least = std::max(least, distance * (1 - 1e-15) - error);
+    const Point3 exact = exactPlace(places, site, {a, b, c});
+    least = std::max(least, std::sqrt(squaredDistance(exact, {0, 0, 0})) * (1 - 1e-15));
     most = std::max(most, distance + error);
   }
   EXPECT_GE(cell.squaredRadius(), least * least);
