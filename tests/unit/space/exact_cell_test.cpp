@@ -324,5 +324,29 @@ TEST(ExactCell, KnowsItsRadius) {
   }
 }
 
+// Sites side by side on a sphere meet near its center, far away: where they face no axis, rounding moves that
+// by far more than 1e-15.
+TEST(ExactCell, KnowsItsRadiusWhereRoundingIsLarge) {
+  constexpr double radius = 0.8, step = 1e-4;
+  Sites sites;
+  for (int x = -3; x <= 3; ++x) {
+    for (int y = -3; y <= 3; ++y) {
+      const double dx = step * (x + 0.3 * std::sin(y)), dy = step * (y + 0.3 * std::cos(2 * x));
+      const double out = std::sqrt(radius * radius - dx * dx - dy * dy);
+      sites.push_back({0.1 + 0.6 * out + 0.8 * dx, 0.15 + 0.48 * out - 0.36 * dx + 0.8 * dy,
+                       0.1 + 0.64 * out - 0.48 * dx - 0.6 * dy});
+    }
+  }
+  const Places places{sites.data(), unit_box};
+  const auto count = static_cast<Label>(sites.size());
+  for (Label i = 0; i < count; ++i) {
+    ExactCell cell(places, i);
+    for (Label other = 0; other < count; ++other) {
+      if (other != i) cell.cut(other);
+    }
+    expectRadius(cell, places, i);
+  }
+}
+
 }  // namespace
 }  // namespace vorpipe::space
