@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "space/site_bins.h"
@@ -30,6 +31,7 @@ class CellMemo {
   /// Keeps the exact cell of the last site that was not found. All sites that can cut it are within the root
   /// of `squared_reach`.
   void keep(const ExactRow& row, double squared_reach);
+  [[nodiscard]] std::size_t found() const { return found_; }
 
  private:
   struct Difference {

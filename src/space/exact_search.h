@@ -18,6 +18,8 @@ class ExactSearch {
   const ExactCell& cellOf(Label site);
   /// The same as a row, computed only if no cell with the same surroundings was.
   const ExactRow& rowOf(Label site);
+  /// How many rows were known.
+  [[nodiscard]] std::size_t known() const { return memo_.found(); }
 
  private:
   struct Candidate {
