@@ -271,7 +271,7 @@ bool CellCheck::provedExactly(Verdict& verdict) const {
   return true;
 }
 
-Verdict CellCheck::check(Label site) {
+Verdict CellCheck::check(Label site, bool made_exactly) {
   Verdict verdict;
   site_ = site;
   row_ = rows_[static_cast<std::size_t>(site)];
@@ -289,7 +289,7 @@ Verdict CellCheck::check(Label site) {
   verdict.tied = job_.tied;
   verdict.unsure = job_.unsure;
   if (!isGlued(verdict)) return verdict;
-  if (job_.tied || job_.unsure) provedExactly(verdict);
+  if (!made_exactly && (job_.tied || job_.unsure)) provedExactly(verdict);
   return verdict;
 }
 

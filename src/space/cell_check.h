@@ -38,8 +38,9 @@ class CellCheck {
   CellCheck(const Places& places, const Rows& rows, bool moments = false);
 
   /// Checks the cell of a site that has a row. Signs of a vertex or edge that double does not prove are left
-  /// to the least of its sites.
-  Verdict check(Label site);
+  /// to the least of its sites; unless its cell was made by these signs, of all sites that can cut it, so
+  /// that no vertex or edge can break them.
+  Verdict check(Label site, bool made_exactly = false);
 
   // Of the last cell, if it is not broken and not unsure.
   [[nodiscard]] CellMeasures measures() const;

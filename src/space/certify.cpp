@@ -1,10 +1,10 @@
 #include "space/certify.h"
 
 #include <algorithm>
-#include <atomic>
+#include <memory>
 #include <mutex>
+#include <numeric>
 #include <string>
-#include <unordered_map>
 #include <utility>
 
 #include "base/parallel.h"
@@ -33,6 +33,8 @@ class Certifier {
   Certifier(const SiteBins& bins, bool moments, int threads)
       : bins_(bins),
         places_(bins.places()),
+        lanes_(bins.lanes()),
+        propose_cells_(proposeCells()),
         threads_(threads),
         found_(bins.sites.size()),
         tied_(bins.sites.size(), 0),
@@ -45,11 +47,14 @@ class Certifier {
   Result<CertifiedRows> run(const Progress& progress) {
     const auto stopped = [&progress](double part) { return progress && !progress("cells", part); };
     const Error cancelled{ErrorCode::cancelled, "stopped"};
-    propose();
+    if (tiesAreEverywhere()) {
+      disputeAll();
+    } else {
+      propose();
+    }
     if (stopped(0.4)) return tl::unexpected(cancelled);
     recompute();
-    SiteList which(bins_.sites.size());
-    for (std::uint32_t i = 0; i < which.size(); ++i) which[i] = i;
+    SiteList which = allSites();
     bool all = false;
     for (;;) {
       if (stopped(0.6)) return tl::unexpected(cancelled);
@@ -58,8 +63,7 @@ class Certifier {
         if (cellsOfCorner(found_.rows) == 1 && !forgetsSite(places_, found_.rows, exact_)) break;
         if (all) return tl::unexpected(remains("the cells do not cover the box once"));
         all = true;
-        disputed_.resize(bins_.sites.size());
-        for (std::uint32_t i = 0; i < disputed_.size(); ++i) disputed_[i] = i;
+        disputeAll();
       }
       const std::uint32_t first = disputed_.front();
       std::erase_if(disputed_, [this](std::uint32_t i) { return exact_[i] != 0; });
@@ -100,64 +104,90 @@ class Certifier {
     disputed_.insert(disputed_.end(), sites.begin(), sites.end());
   }
 
+  [[nodiscard]] SiteList allSites() const {
+    SiteList all(bins_.sites.size());
+    std::iota(all.begin(), all.end(), 0U);
+    return all;
+  }
+  void disputeAll() { disputed_ = allSites(); }
+
   void propose() {
-    const LaneBins lanes = bins_.lanes();
-    const ProposeCells lanes_function = proposeCells();
     const std::size_t grain = std::clamp<std::size_t>(bins_.bins() / 16, 1, 4096);
-    inArenas(bins_.bins(), grain, [&](std::size_t begin, std::size_t end, RowArena& arena) {
-      struct Taken {
-        Rows& rows;
-        RowArena& arena;
-        SiteList left;
-      } taken{found_.rows, arena, {}};
-      lanes_function(
-          lanes, static_cast<std::uint32_t>(begin), static_cast<std::uint32_t>(end),
-          [](void* context, std::uint32_t site, const ProposedCell& cell) {
-            auto& [rows, into, left] = *static_cast<Taken*>(context);
-            if (cell.state == Proposed::whole &&
-                rows.set(site, {cell.neighbor, static_cast<std::size_t>(cell.faces)}, cell.corner,
-                         static_cast<std::size_t>(cell.vertices), into)) {
-              return;
-            }
-            left.push_back(site);
-          },
-          &taken);
-      dispute(std::move(taken.left));
+    inArenas(bins_.bins(), grain, [this](std::size_t begin, std::size_t end, RowArena& arena) {
+      dispute(proposeBins(begin, end, arena));
     });
+  }
+
+  /// Sets the rows that are proposed for some bins, and returns the sites without.
+  SiteList proposeBins(std::size_t begin, std::size_t end, RowArena& arena) {
+    struct Taken {
+      Rows& rows;
+      RowArena& arena;
+      SiteList left;
+    } taken{found_.rows, arena, {}};
+    propose_cells_(
+        lanes_, static_cast<std::uint32_t>(begin), static_cast<std::uint32_t>(end),
+        [](void* context, std::uint32_t site, const ProposedCell& cell) {
+          auto& [rows, into, left] = *static_cast<Taken*>(context);
+          if (cell.state == Proposed::whole &&
+              rows.set(site, {cell.neighbor, static_cast<std::size_t>(cell.faces)}, cell.corner,
+                       static_cast<std::size_t>(cell.vertices), into)) {
+            return;
+          }
+          left.push_back(site);
+        },
+        &taken);
+    return std::move(taken.left);
+  }
+
+  /// Whether nearly all cells of a sample have ties, as in lattices: float breaks them otherwise than exact
+  /// signs do, so that proposals are in vain.
+  bool tiesAreEverywhere() {
+    constexpr std::size_t ranges = 32, bins_of_range = 4, least_bins = 2048;
+    if (bins_.bins() < least_bins) return false;
+    RowArena arena;
+    CellCheck cell_check(places_, found_.rows);
+    std::size_t sites = 0, tied = 0;
+    for (std::size_t k = 0; k < ranges; ++k) {
+      const std::size_t bin = bins_.bins() / ranges * k;
+      tied += proposeBins(bin, bin + bins_of_range, arena).size();
+      for (std::uint32_t site = bins_.begin[bin]; site < bins_.begin[bin + bins_of_range]; ++site) {
+        ++sites;
+        if (found_.rows[site].faces == 0) continue;
+        const Verdict verdict = cell_check.check(static_cast<Label>(site), true);
+        tied += verdict.tied || verdict.unsure || verdict.broken == Broken::rings ? 1 : 0;
+        found_.rows.clear(site);
+      }
+    }
+    return sites > ranges && tied > sites - sites / 8;
+  }
+
+  /// One that no other thread uses: they keep what they know from one range of sites to the next.
+  std::unique_ptr<ExactSearch> takeSearch() {
+    const std::scoped_lock lock(mutex_);
+    if (searches_.empty()) return std::make_unique<ExactSearch>(bins_);
+    auto search = std::move(searches_.back());
+    searches_.pop_back();
+    return search;
   }
 
   /// Recomputes the cells in dispute exactly.
   void recompute() {
     sortUnique(disputed_);
-    std::atomic<std::uint64_t> count{0};
-    inArenas(disputed_.size(), 64, [&](std::size_t begin, std::size_t end, RowArena& arena) {
-      std::vector<Label> neighbors;
-      std::vector<std::array<std::uint32_t, 3>> vertices;
+    const std::size_t grain = std::clamp<std::size_t>(disputed_.size() / 256, 16, 4096);
+    inArenas(disputed_.size(), grain, [&](std::size_t begin, std::size_t end, RowArena& arena) {
+      std::unique_ptr<ExactSearch> search = takeSearch();
       for (std::size_t k = begin; k < end; ++k) {
         const std::uint32_t site = disputed_[k];
-        const ExactCell cell = exactCellOf(bins_, static_cast<Label>(site));
+        const ExactRow& row = search->rowOf(static_cast<Label>(site));
         exact_[site] = 1;
-        ++count;
         found_.rows.clear(site);
-        if (cell.empty()) continue;
-        neighbors.clear();
-        vertices.clear();
-        for (const auto& corner : cell.vertices())
-          neighbors.insert(neighbors.end(), corner.begin(), corner.end());
-        std::ranges::sort(neighbors);
-        neighbors.erase(std::ranges::unique(neighbors).begin(), neighbors.end());
-        for (const auto& corner : cell.vertices()) {
-          std::array<std::uint32_t, 3> faces{};
-          for (std::size_t e = 0; e < 3; ++e) {
-            faces[e] = static_cast<std::uint32_t>(std::ranges::lower_bound(neighbors, corner[e]) -
-                                                  neighbors.begin());
-          }
-          vertices.push_back(faces);
-        }
-        found_.rows.set(site, neighbors, vertices, arena);
+        if (!row.neighbors.empty()) found_.rows.set(site, row.neighbors, row.vertices, arena);
       }
+      const std::scoped_lock lock(mutex_);
+      searches_.push_back(std::move(search));
     });
-    found_.exact += count;
+    found_.exact += disputed_.size();
     disputed_.clear();
   }
 
@@ -174,7 +204,7 @@ class Certifier {
           if (exact_[site] == 0) disputed.push_back(site);
           continue;
         }
-        const Verdict verdict = cell_check.check(static_cast<Label>(site));
+        const Verdict verdict = cell_check.check(static_cast<Label>(site), exact_[site] != 0);
         if (verdict.broken != Broken::nothing) {
           disputed.push_back(site);
           for (const Label with : verdict.with) {
@@ -209,10 +239,13 @@ class Certifier {
 
   const SiteBins& bins_;
   Places places_;
+  LaneBins lanes_;
+  ProposeCells propose_cells_;
   int threads_;
   CertifiedRows found_;
   std::vector<std::uint8_t> tied_, careful_, exact_;  ///< by site
   SiteList disputed_;
+  std::vector<std::unique_ptr<ExactSearch>> searches_;  ///< that are idle
   std::mutex mutex_;
 };
 

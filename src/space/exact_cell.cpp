@@ -13,7 +13,14 @@ constexpr std::size_t vertices_of_large = 256, removed_of_large = 16;
 
 }  // namespace
 
-ExactCell::ExactCell(const Places& places, Label site) : places_(places), site_(site) {
+ExactCell::ExactCell(const Places& places, Label site) : places_(places) { reset(site); }
+
+void ExactCell::reset(Label site) {
+  site_ = site;
+  label_.clear();
+  spot_.clear();
+  blocks_.reset();
+  squared_radius_ = -1;
   for (int corner = 0; corner < 8; ++corner) {
     const int x = corner & 1, y = corner >> 1 & 1, z = corner >> 2;
     std::array<Label, 3> label{labelOfWall(x), labelOfWall(2 + y), labelOfWall(4 + z)};

@@ -23,6 +23,8 @@ namespace vorpipe::space {
 class ExactCell {
  public:
   ExactCell(const Places& places, Label site);
+  /// Begins anew with another site, in the same memory.
+  void reset(Label site);
   /// Cuts with the bisector of a site that is not the cell's own. Returns whether anything was cut off. A
   /// second cut by the same site does nothing.
   bool cut(Label by);
@@ -41,7 +43,7 @@ class ExactCell {
   void replaceRemoved(Label by);
 
   Places places_;
-  Label site_;
+  Label site_ = 0;
   std::vector<std::array<Label, 3>> label_;
   std::vector<VertexSpot> spot_;  ///< by vertex
   std::optional<VertexBlocks> blocks_;

@@ -1,12 +1,50 @@
 /// Cells that proposals leave in dispute, by exact signs.
 #pragma once
 
+#include <cstddef>
+#include <vector>
+
+#include "space/cell_memo.h"
 #include "space/exact_cell.h"
 #include "space/site_bins.h"
 
 namespace vorpipe::space {
 
-/// Returns the exact cell of a site, cut by all sites that can cut it.
-ExactCell exactCellOf(const SiteBins& bins, Label site);
+/// Cells by exact signs, one after another; one for each thread.
+class ExactSearch {
+ public:
+  explicit ExactSearch(const SiteBins& bins) : bins_(bins), cell_(bins.places(), 0), memo_(bins) {}
+  /// The exact cell of a site, cut by all sites that can cut it. It is valid until the next.
+  const ExactCell& cellOf(Label site);
+  /// The same as a row, computed only if no cell with the same surroundings was.
+  const ExactRow& rowOf(Label site);
+  /// How many rows were known.
+  [[nodiscard]] std::size_t known() const { return memo_.found(); }
+
+ private:
+  struct Candidate {
+    double squared;  ///< distance
+    Label site;
+    bool operator<(const Candidate& other) const {
+      return squared < other.squared || (squared == other.squared && site < other.site);
+    }
+  };
+  [[nodiscard]] double squaredReach() const;
+  void begin(Label site);
+  Label next(double limit);
+  void addShell(double limit);
+  void addLine(int x, int end, int y, int z, double limit);
+
+  const SiteBins& bins_;
+  ExactCell cell_;
+  CellMemo memo_;
+  ExactRow row_;
+  Label site_ = 0;
+  Point3 from_{};
+  int bin_[3] = {}, shell_ = 0, last_shell_ = 0;
+  double certain_ = 0;            ///< all sites whose squared distance is less are found
+  std::vector<Candidate> found_;  ///< up to `sorted_` ascending, and all others are beyond `certain_`
+  std::size_t next_ = 0, sorted_ = 0;
+};
 
 }  // namespace vorpipe::space

@@ -76,22 +76,32 @@ Row Rows::operator[](std::size_t site) const {
   return row;
 }
 
-bool Rows::set(std::size_t site, std::span<const Label> neighbors, const std::uint8_t (*vertices)[4],
-               std::size_t vertex_count, RowArena& arena) {
+template <bool from_least, class Vertex>
+bool Rows::setSmall(std::size_t site, std::span<const Label> neighbors, const Vertex* vertices,
+                    std::size_t vertex_count, RowArena& arena) {
   thread_local Followers followers;
   const std::size_t faces = neighbors.size();
   std::uint8_t size[64] = {}, first[64];
+  constexpr std::uint8_t none = 255;
+  if (from_least) {
+    std::memset(first, none, sizeof first);
+    std::memset(followers.next, none, faces * sizeof followers.next[0]);
+  }
+  const auto begin = [&first](std::uint8_t face, std::uint8_t with) {
+    first[face] = from_least ? std::min(first[face], with) : with;
+  };
   for (std::size_t v = 0; v < vertex_count; ++v) {
-    const std::uint8_t a = vertices[v][0], b = vertices[v][1], c = vertices[v][2];
+    const auto a = static_cast<std::uint8_t>(vertices[v][0]), b = static_cast<std::uint8_t>(vertices[v][1]),
+               c = static_cast<std::uint8_t>(vertices[v][2]);
     followers.next[a][b] = c;
     followers.next[b][c] = a;
     followers.next[c][a] = b;
     ++size[a];
     ++size[b];
     ++size[c];
-    first[a] = b;
-    first[b] = c;
-    first[c] = a;
+    begin(a, b);
+    begin(b, c);
+    begin(c, a);
   }
   const Header header{static_cast<std::uint32_t>(faces), static_cast<std::uint32_t>(3 * vertex_count)};
   std::byte* const at = arena.get(bytesOf(header));
@@ -108,6 +118,7 @@ bool Rows::set(std::size_t site, std::span<const Label> neighbors, const std::ui
     for (std::size_t k = 0; k < size[f]; ++k) {
       parts.ring[end++] = at_face;
       at_face = followers.next[f][at_face & 63];
+      if (from_least && at_face == none) break;
     }
     whole = at_face == first[f];
   }
@@ -116,19 +127,25 @@ bool Rows::set(std::size_t site, std::span<const Label> neighbors, const std::ui
   return whole;
 }
 
+bool Rows::set(std::size_t site, std::span<const Label> neighbors, const std::uint8_t (*vertices)[4],
+               std::size_t vertex_count, RowArena& arena) {
+  return setSmall<false>(site, neighbors, vertices, vertex_count, arena);
+}
+
 bool Rows::set(std::size_t site, std::span<const Label> neighbors,
                std::span<const std::array<std::uint32_t, 3>> vertices, RowArena& arena) {
   const std::size_t faces = neighbors.size();
+  if (faces <= 64) return setSmall<true>(site, neighbors, vertices.data(), vertices.size(), arena);
   std::unordered_map<std::uint64_t, std::uint32_t> next;
   next.reserve(3 * vertices.size());
-  std::vector<std::uint32_t> size(faces, 0), first(faces, 0);
+  std::vector<std::uint32_t> size(faces, 0), first(faces, UINT32_MAX);
   const auto key = [](std::uint32_t a, std::uint32_t b) { return std::uint64_t{a} << 32 | b; };
   for (const auto& v : vertices) {
     for (std::size_t k = 0; k < 3; ++k) {
       const std::uint32_t a = v[k], b = v[(k + 1) % 3], c = v[(k + 2) % 3];
       next[key(a, b)] = c;
       ++size[a];
-      first[a] = b;
+      first[a] = std::min(first[a], b);
     }
   }
   const Header header{static_cast<std::uint32_t>(faces), static_cast<std::uint32_t>(3 * vertices.size())};

@@ -84,14 +84,18 @@ class Rows {
 
   /// Sets the row of a site from its faces' neighbors and its vertices: three faces each, counter-clockwise
   /// seen from outside. Returns false, and clears the row, if they are no rings: one for each face, of three
-  /// faces or more.
+  /// faces or more. Rings begin with their least face: whatever the order of vertices, the row is the same.
   bool set(std::size_t site, std::span<const Label> neighbors,
            std::span<const std::array<std::uint32_t, 3>> vertices, RowArena& arena);
-  /// The same for 64 faces and vertices at most; a fourth number of each vertex is not used.
+  /// For 64 faces and vertices at most; a fourth number of each vertex is not used. Where rings begin depends
+  /// on the order of vertices.
   bool set(std::size_t site, std::span<const Label> neighbors, const std::uint8_t (*vertices)[4],
            std::size_t vertex_count, RowArena& arena);
 
  private:
+  template <bool from_least, class Vertex>
+  bool setSmall(std::size_t site, std::span<const Label> neighbors, const Vertex* vertices,
+                std::size_t vertex_count, RowArena& arena);
   std::vector<std::byte*> at_;
 };
 

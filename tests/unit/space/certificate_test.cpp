@@ -55,9 +55,10 @@ struct Case {
 Complex truth(const Case& of, std::vector<std::uint8_t>& exact) {
   Complex complex;
   exact.assign(of.size(), 0);
+  ExactSearch search(of.bins);
   for (std::size_t i = 0; i < of.size(); ++i) {
     const auto site = static_cast<Label>(i);
-    const ExactCell cell = exactCellOf(of.bins, site);
+    const ExactCell& cell = search.cellOf(site);
     exact[i] = cell.empty() ? 1 : 0;
     for (const auto& v : cell.vertices()) add(complex, {site, v[0], v[1], v[2]});
   }
@@ -330,7 +331,8 @@ TEST_P(Lies, RowsThatDisagreeAreRefused) {
     EXPECT_TRUE(broken(*of_, proposal.rows, exact_).contains("C1"));
     // Two thirds are exchanged in the cell of one site alone.
     std::vector<std::array<Label, 3>> corners;
-    const ExactCell cell = exactCellOf(of_->bins, static_cast<Label>(site));
+    ExactSearch search(of_->bins);
+    const ExactCell& cell = search.cellOf(static_cast<Label>(site));
     corners.assign(cell.vertices().begin(), cell.vertices().end());
     const Label a = corners[0][0], b = corners[1 + random_() % (corners.size() - 1)][1];
     if (a == b) continue;
@@ -434,6 +436,42 @@ TEST(Certificate, NearSitesHaveNoEdgeOfTheWrongSign) {
     if (const auto other = flipped(complex, labels)) {
       EXPECT_NE(broken(of, *other, exact), Conditions{});
     }
+  }
+}
+
+// Cells of equal surroundings are computed once: no site, wall or rounded coordinate more or less passes for
+// equal.
+TEST(ExactSearch, FindsTheSameCellsAgain) {
+  constexpr int n = 9;
+  for (const double cell_size : {1.0 / 8, 1.0 / n}) {
+    Sites3 sites;
+    for (int x = 0; x < n; ++x) {
+      for (int y = 0; y < n; ++y) {
+        for (int z = 0; z < n; ++z) {
+          // A vacancy, and a site that is moved by a hair.
+          if (x == 4 && y == 3 && z == 5) continue;
+          const double moved = x == 2 && y == 6 && z == 3 ? 0x1p-50 : 0;
+          sites.push_back({(x + 0.4) * cell_size + moved, (y + 0.4) * cell_size, (z + 0.4) * cell_size});
+        }
+      }
+    }
+    const Case of(sites, {0, 0, 0, n * cell_size, n * cell_size, n * cell_size});
+    ExactSearch remembers(of.bins);
+    for (std::size_t i = 0; i < of.size(); ++i) {
+      const auto site = static_cast<Label>(i);
+      ExactSearch search(of.bins);
+      ExactRow row;
+      row.set(search.cellOf(site).vertices());
+      const ExactRow& found = remembers.rowOf(site);
+      EXPECT_EQ(found.neighbors, row.neighbors) << i;
+      const auto sorted = [](std::vector<std::array<std::uint32_t, 3>> vertices) {
+        for (auto& v : vertices) std::ranges::rotate(v, std::ranges::min_element(v));
+        std::ranges::sort(vertices);
+        return vertices;
+      };
+      EXPECT_EQ(sorted(found.vertices), sorted(row.vertices)) << i;
+    }
+    EXPECT_GT(remembers.known(), of.size() / 8);
   }
 }
 

@@ -1,5 +1,6 @@
 // Cells by exact signs: those of all sites together fulfil what makes them the diagram (C1 to C5).
 #include "space/exact_cell.h"
+#include "space/exact_signs.h"
 
 #include <gtest/gtest.h>
 
@@ -287,14 +288,16 @@ TEST(ExactCell, IsCutBySiteOnce) {
   }
 }
 
-/// No vertex is farther, and one is about as far, also if places in double are wrong by far.
+/// No vertex is farther, and one is about as far, also if places in double are wrong by far: true places are
+/// by integers.
 void expectRadius(const ExactCell& cell, const Places& places, Label site) {
   double least = 0, most = 0;
   for (const auto& [a, b, c] : cell.vertices()) {
     double error = 0;
     const Point3 p = vertexPlace(places, site, a, b, c, &error);
     const double distance = std::sqrt(squaredDistance(p, {0, 0, 0}));
-    least = std::max(least, distance * (1 - 1e-15) - error);
+    const Point3 exact = exactPlace(places, site, {a, b, c});
+    least = std::max(least, std::sqrt(squaredDistance(exact, {0, 0, 0})) * (1 - 1e-15));
     most = std::max(most, distance + error);
   }
   EXPECT_GE(cell.squaredRadius(), least * least);
@@ -318,6 +321,30 @@ TEST(ExactCell, KnowsItsRadius) {
   ExactCell cell(places, 0);
   for (Label other = 1; other <= 400; ++other) {
     if (cell.cut(other)) expectRadius(cell, places, 0);
+  }
+}
+
+// Sites side by side on a sphere meet near its center, far away: where they face no axis, rounding moves that
+// by far more than 1e-15.
+TEST(ExactCell, KnowsItsRadiusWhereRoundingIsLarge) {
+  constexpr double radius = 0.8, step = 1e-4;
+  Sites sites;
+  for (int x = -3; x <= 3; ++x) {
+    for (int y = -3; y <= 3; ++y) {
+      const double dx = step * (x + 0.3 * std::sin(y)), dy = step * (y + 0.3 * std::cos(2 * x));
+      const double out = std::sqrt(radius * radius - dx * dx - dy * dy);
+      sites.push_back({0.1 + 0.6 * out + 0.8 * dx, 0.15 + 0.48 * out - 0.36 * dx + 0.8 * dy,
+                       0.1 + 0.64 * out - 0.48 * dx - 0.6 * dy});
+    }
+  }
+  const Places places{sites.data(), unit_box};
+  const auto count = static_cast<Label>(sites.size());
+  for (Label i = 0; i < count; ++i) {
+    ExactCell cell(places, i);
+    for (Label other = 0; other < count; ++other) {
+      if (other != i) cell.cut(other);
+    }
+    expectRadius(cell, places, i);
   }
 }
 

@@ -1,0 +1,72 @@
+/// Exact cells that were computed before, for sites whose surroundings are the same.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <utility>
+#include <vector>
+
+#include "space/site_bins.h"
+
+namespace vorpipe::space {
+
+/// A cell as Rows::set takes it: the labels of its faces ascending, and its vertices' faces.
+struct ExactRow {
+  std::vector<Label> neighbors;
+  std::vector<std::array<std::uint32_t, 3>> vertices;
+  void set(std::span<const std::array<Label, 3>> corners);
+};
+
+/// The exact cell of a site depends on the exact differences between the sites and walls around and it, ties
+/// included: they are broken by the order of coordinates. In lattices these differences repeat, even
+/// where coordinates are rounded. Cells are kept by them, in a table of fixed size; one for each thread.
+/// Where few repeat it is not asked any more.
+class CellMemo {
+ public:
+  explicit CellMemo(const SiteBins& bins) : bins_(bins), table_(table_size) {}
+  /// Whether there is a cell with the same sites around; it is written to `row`.
+  bool find(Label site, ExactRow& row);
+  /// Keeps the exact cell of the last site that was not found. All sites that can cut it are within the root
+  /// of `squared_reach`.
+  void keep(const ExactRow& row, double squared_reach);
+  [[nodiscard]] std::size_t found() const { return found_; }
+
+ private:
+  struct Difference {
+    double x, y, z;                 ///< rounded
+    double rest_x, rest_y, rest_z;  ///< what rounding took
+    bool operator==(const Difference&) const = default;
+  };
+  struct Neighbor {
+    std::uint64_t key;
+    Label site;
+  };
+  struct Known {
+    std::uint64_t key = 0;
+    double squared_reach = 0;
+    std::vector<Difference> around;   ///< by ascending key
+    std::vector<std::uint8_t> faces;  ///< which of these
+    std::vector<std::array<std::uint8_t, 3>> vertices;
+  };
+  static constexpr std::size_t table_size = 4096, most_around = 160;
+
+  bool lookAround(Label site);
+  [[nodiscard]] Difference difference(Label to) const;
+  [[nodiscard]] bool isSame(const Known& known) const;
+  void write(const Known& known, ExactRow& row);
+
+  const SiteBins& bins_;
+  std::vector<Known> table_;
+  std::uint32_t asked_ = 0, found_ = 0;
+  double squared_reach_ = 0;  ///< sites are looked for within the root of this
+  // Of the last site.
+  Point3 from_{};
+  bool usable_ = false;
+  std::uint64_t key_ = 0;
+  std::vector<Neighbor> around_;
+  std::vector<std::pair<Label, std::uint32_t>> by_label_;
+};
+
+}  // namespace vorpipe::space
