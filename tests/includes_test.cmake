@@ -30,7 +30,7 @@ foreach(line IN LISTS lines)
   endforeach()
   list(JOIN uses "|" uses)
   list(APPEND kinds "^${module}/[^/]*$")
-  list(APPEND may_include "^(vorpipe(/.*)?\\.h|base/.*|(layout|bins|cell|grid|list)\\.glsl|shaders\\.h|(${module}|${uses})/[^/]*)$")
+  list(APPEND may_include "^(vorpipe(/.*)?\\.h|base/.*|(layout|bins|cell|grid|list|polyhedron)\\.glsl|shaders\\.h|(${module}|${uses})/[^/]*)$")
   list(APPEND below ${module})
 endforeach()
 

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <limits>
-#include <ranges>
 #include <span>
 
 #include "base/big_vector.h"
@@ -71,12 +70,13 @@ class Curve {
   std::array<std::array<Steps, 256>, 4> steps_{};
 };
 
-/// Around sites by a range of indices.
-template <class Indices>
-Box boxAround(const SiteSet& sites, const Indices& which) {
+/// Around sites; indexOf(element) is the index of each.
+template <class Elements, class IndexOf>
+Box boxAround(const SiteSet& sites, const Elements& elements, const IndexOf& indexOf) {
   constexpr double infinite = std::numeric_limits<double>::infinity();
   Box box{infinite, infinite, -infinite, -infinite};
-  for (const std::uint32_t i : which) {
+  for (const auto& element : elements) {
+    const std::uint32_t i = indexOf(element);
     box = {std::min(box.xmin, sites.x[i]), std::min(box.ymin, sites.y[i]), std::max(box.xmax, sites.x[i]),
            std::max(box.ymax, sites.y[i])};
   }
@@ -109,7 +109,7 @@ void sortFew(const SiteSet& sites, std::span<OnCurve> placed) {
     }
     return;
   }
-  const Box box = boxAround(sites, std::views::transform(placed, &OnCurve::site));
+  const Box box = boxAround(sites, placed, [](const OnCurve& p) { return p.site; });
   place(sites, box, placed);
   if (!(box.xmax > box.xmin || box.ymax > box.ymin)) return;
   sortFew(sites, placed);
@@ -171,7 +171,7 @@ class RadixSort {
 void sortAlongCurve(const SiteSet& sites, std::vector<std::uint32_t>& which, int threads) {
   if (which.empty()) return;
   BigVector<OnCurve> placed(which.size());
-  const Box box = boxAround(sites, which);
+  const Box box = boxAround(sites, which, [](std::uint32_t i) { return i; });
   parallelFor(placed.size(), curve_order_grain, threads, [&](std::size_t begin, std::size_t end) {
     for (auto k = begin; k < end; ++k) placed[k] = {0, which[k]};
     place(sites, box, std::span(placed).subspan(begin, end - begin));

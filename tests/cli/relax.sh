@@ -86,7 +86,7 @@ cmp out/earth-1.npy out/earth-2.npy || fail "threads change places on the globe"
 succeeds "pictures of the globe" relax --backend cpu --globe --sites random:200 --iterations 3 --frames out/earth --map equal-earth --size 200 \
   --edges --graticule 30 --picture out/earth.png -o out/earth.csv
 [ "$(ls out/earth | wc -l)" = 4 ] || fail "not a frame for each diagram: $(ls out/earth)"
-succeeds "their last" render --backend cpu --globe --sites out/earth.csv --map equal-earth --size 200 --edges --graticule 30 -o out/last.png
+succeeds "their last" render --backend cpu --globe --sites out/earth.csv --columns lon,lat --map equal-earth --size 200 --edges --graticule 30 -o out/last.png
 cmp out/earth.png out/last.png || fail "a picture of relaxed sites is not that of their file"
 cmp "$(ls out/earth/* | tail -n 1)" out/last.png || fail "the last frame is another picture"
 

@@ -22,7 +22,7 @@ using test::Random;
 using Triple = std::array<Label, 3>;
 using Sites = std::vector<Point3>;
 
-constexpr Box3 unit_box{0, 0, 0, 1, 1, 1};
+constexpr Box3 whole_box{0, 0, 0, 1, 1, 1};
 
 double squaredDistance(const Point3& a, const Point3& b) {
   const double x = a.x - b.x, y = a.y - b.y, z = a.z - b.z;
@@ -171,45 +171,45 @@ const Sites fcc{{0, 0, 0}, {0.5, 0.5, 0}, {0.5, 0, 0.5}, {0, 0.5, 0.5}};
 
 TEST(ExactCell, OfOneSiteIsTheBox) {
   const Sites sites{{0.1, 0.2, 0.3}};
-  EXPECT_EQ(expectDiagram(sites, unit_box), 8U);
-  const ExactCell cell({sites.data(), unit_box}, 0);
+  EXPECT_EQ(expectDiagram(sites, whole_box), 8U);
+  const ExactCell cell({sites.data(), whole_box}, 0);
   EXPECT_NEAR(cell.squaredRadius(), 0.81 + 0.64 + 0.49, 1e-12);
 }
 
 TEST(ExactCell, OfFewSites) {
   for (std::size_t count = 2; count <= 5; ++count) {
-    for (std::uint64_t seed = 1; seed <= 5; ++seed) expectDiagram(random(count, seed), unit_box);
+    for (std::uint64_t seed = 1; seed <= 5; ++seed) expectDiagram(random(count, seed), whole_box);
   }
 }
 
 TEST(ExactCell, OfRandomSites) {
-  expectDiagram(random(100, 1), unit_box);
+  expectDiagram(random(100, 1), whole_box);
   expectDiagram(noisy(random(50, 2), 1e-3), {-10, -1, -1, 10, 1, 2});
 }
 
 TEST(ExactCell, OfLattices) {
   for (const double noise : {0.0, 1e-16, 1e-15, 1e-12, 1e-9, 1e-6, 1e-3}) {
-    expectDiagram(noisy(lattice(4, 0.25, 0.125), noise), unit_box);
-    expectDiagram(noisy(lattice(4, 0.1, 0.3), noise), unit_box);
-    expectDiagram(noisy(lattice(3, 0.3, 0.15, bcc), noise), unit_box);
-    expectDiagram(noisy(lattice(3, 0.25, 0.1, fcc), noise), unit_box);
+    expectDiagram(noisy(lattice(4, 0.25, 0.125), noise), whole_box);
+    expectDiagram(noisy(lattice(4, 0.1, 0.3), noise), whole_box);
+    expectDiagram(noisy(lattice(3, 0.3, 0.15, bcc), noise), whole_box);
+    expectDiagram(noisy(lattice(3, 0.25, 0.1, fcc), noise), whole_box);
   }
 }
 
 TEST(ExactCell, OfSitesOnWallsEdgesAndCorners) {
-  expectDiagram(lattice(3, 0.5, 0), unit_box);
-  expectDiagram(lattice(2, 1, 0), unit_box);
-  expectDiagram(lattice(3, 0.5, 0, {{0, 0, 0}, {0.25, 0.25, 0.25}}), unit_box);
+  expectDiagram(lattice(3, 0.5, 0), whole_box);
+  expectDiagram(lattice(2, 1, 0), whole_box);
+  expectDiagram(lattice(3, 0.5, 0, {{0, 0, 0}, {0.25, 0.25, 0.25}}), whole_box);
 }
 
 TEST(ExactCell, OfSitesOutside) {
   EXPECT_EQ(
-      expectDiagram({{0.25, 0.5, 0.5}, {-0.25, 0.5, 0.5}, {0.75, 0.5, 0.5}, {1.25, 0.5, 0.5}}, unit_box),
+      expectDiagram({{0.25, 0.5, 0.5}, {-0.25, 0.5, 0.5}, {0.75, 0.5, 0.5}, {1.25, 0.5, 0.5}}, whole_box),
       12U);
-  EXPECT_EQ(expectDiagram({{3, 0.5, 0.5}}, unit_box), 8U);
-  expectDiagram({{3, 0.5, 0.5}, {-1, 0.5, 0.625}, {0.5, 9, 0.5}, {9, 9, 9}}, unit_box);
+  EXPECT_EQ(expectDiagram({{3, 0.5, 0.5}}, whole_box), 8U);
+  expectDiagram({{3, 0.5, 0.5}, {-1, 0.5, 0.625}, {0.5, 9, 0.5}, {9, 9, 9}}, whole_box);
   auto all = lattice(5, 0.5, -0.5);
-  expectDiagram(all, unit_box);
+  expectDiagram(all, whole_box);
   expectDiagram(random(40, 3), {0.25, 0.25, 0.25, 0.5, 0.75, 0.5});
 }
 
@@ -218,10 +218,10 @@ TEST(ExactCell, OfSitesInAPlaneOrOnALine) {
   for (int k = 0; k < 25; ++k) plane.push_back({(k % 5 + 1) * 0.125, (k / 5 + 1) * 0.125, 0.5});
   for (int k = 1; k < 9; ++k) line.push_back({0.1 * k, 0.5, 0.3});
   for (int k = 0; k < 40; ++k) circle.push_back({0.5 + 0.4 * std::cos(k), 0.5 + 0.4 * std::sin(k), 0.5});
-  expectDiagram(plane, unit_box);
-  expectDiagram(line, unit_box);
-  expectDiagram(circle, unit_box);
-  expectDiagram(noisy(plane, 1e-13), unit_box);
+  expectDiagram(plane, whole_box);
+  expectDiagram(line, whole_box);
+  expectDiagram(circle, whole_box);
+  expectDiagram(noisy(plane, 1e-13), whole_box);
 }
 
 TEST(ExactCell, OfSitesNearOthers) {
@@ -230,23 +230,23 @@ TEST(ExactCell, OfSitesNearOthers) {
     const Point3& p = sites[static_cast<std::size_t>(k)];
     sites.push_back({p.x + std::ldexp(1, -20 - k), p.y, p.z - std::ldexp(1, -15 - k)});
   }
-  expectDiagram(sites, unit_box);
+  expectDiagram(sites, whole_box);
 }
 
 TEST(ExactCell, OfDecimals) {
-  expectDiagram(snapped(random(80, 5), 10), unit_box);
-  expectDiagram(snapped(random(80, 6), 8), unit_box);
-  expectDiagram(snapped(random(80, 7), 1e6), unit_box);
+  expectDiagram(snapped(random(80, 5), 10), whole_box);
+  expectDiagram(snapped(random(80, 6), 8), whole_box);
+  expectDiagram(snapped(random(80, 7), 1e6), whole_box);
 }
 
 TEST(ExactCell, OfASphereAndItsCenter) {
-  expectDiagram(sphere(150, 8), unit_box);
-  expectDiagram(snapped(sphere(150, 9), 64), unit_box);
+  expectDiagram(sphere(150, 8), whole_box);
+  expectDiagram(snapped(sphere(150, 9), 64), whole_box);
 }
 
 TEST(ExactCell, OfManyFaces) {
   const auto sites = sphere(3000, 10);
-  const Places places{sites.data(), unit_box};
+  const Places places{sites.data(), whole_box};
   for (const bool nearest_first : {true, false}) {
     const ExactCell cell = cellOf(places, sites.size(), 0, nearest_first);
     std::set<Label> faces;
@@ -267,7 +267,7 @@ TEST(ExactCell, LosesManyVerticesAtOnce) {
     p = {0.5 + 0.99 * (p.x - 0.5), 0.5 + 0.99 * (p.y - 0.5), 0.5 + 0.99 * (p.z - 0.5)};
     if (p.z < 0.5) sites.push_back(p);
   }
-  const Places places{sites.data(), unit_box};
+  const Places places{sites.data(), whole_box};
   ExactCell cell(places, 0);
   for (Label other = 1; other < last; ++other) cell.cut(other);
   const auto before = cell.vertices().size();
@@ -281,7 +281,7 @@ TEST(ExactCell, LosesManyVerticesAtOnce) {
 
 TEST(ExactCell, IsCutBySiteOnce) {
   const auto sites = lattice(3, 0.25, 0.25);
-  const Places places{sites.data(), unit_box};
+  const Places places{sites.data(), whole_box};
   ExactCell cell(places, 13);
   for (const bool first : {true, false}) {
     for (const Label other : {4, 10, 12, 14, 16, 22}) EXPECT_EQ(cell.cut(other), first) << other;
@@ -308,7 +308,7 @@ TEST(ExactCell, KnowsItsRadius) {
   for (const double noise : {0.0, 1e-15, 1e-10, 1e-5, 1e-1}) {
     auto sites = noisy(lattice(3, 0.25, 0.25), noise);
     for (auto& p : sites) p.z = 0.5 + 1e-3 * p.z;
-    const Places places{sites.data(), unit_box};
+    const Places places{sites.data(), whole_box};
     for (Label i = 0; i < 27; ++i) {
       ExactCell cell(places, i);
       for (Label other = 0; other < 27; ++other) {
@@ -317,7 +317,7 @@ TEST(ExactCell, KnowsItsRadius) {
     }
   }
   const auto sites = sphere(400, 13);
-  const Places places{sites.data(), unit_box};
+  const Places places{sites.data(), whole_box};
   ExactCell cell(places, 0);
   for (Label other = 1; other <= 400; ++other) {
     if (cell.cut(other)) expectRadius(cell, places, 0);
@@ -337,7 +337,7 @@ TEST(ExactCell, KnowsItsRadiusWhereRoundingIsLarge) {
                        0.1 + 0.64 * out - 0.48 * dx - 0.6 * dy});
     }
   }
-  const Places places{sites.data(), unit_box};
+  const Places places{sites.data(), whole_box};
   const auto count = static_cast<Label>(sites.size());
   for (Label i = 0; i < count; ++i) {
     ExactCell cell(places, i);

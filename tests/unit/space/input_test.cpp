@@ -78,7 +78,8 @@ bool isWithin(const Point3& p, const Box3& box) {
 }
 
 TEST(PatternsInSpace, LieInTheirBoxAndDiffer) {
-  const Box3 boxes[] = {unit, {-1, 5, 0, 1, 6, 3}, {0, 0, 0, 100, 1, 1}, {0, 0, 0, 1e6, 1, 1}, {0, 0, 0, 1, 3e5, 2e5}};
+  const Box3 boxes[] = {
+      unit, {-1, 5, 0, 1, 6, 3}, {0, 0, 0, 100, 1, 1}, {0, 0, 0, 1e6, 1, 1}, {0, 0, 0, 1, 3e5, 2e5}};
   for (const Pattern3 pattern : all) {
     for (const Box3& box : boxes) {
       for (const std::uint64_t n : {1u, 2u, 10u, 1000u}) {
