@@ -26,8 +26,8 @@ Result<Diagram3> findSpaceCells(std::span<const Point3> sites, const Cells3Optio
     status[bins.input[k]] = found.rows[k].faces > 0 ? Status::ok : Status::empty;
   }
   const space::ProvedCells proved{bins.places(), 1 / bins.scale, found.rows,       bins.input,
-                                  found.tied,    found.measures, found.face_areas, found.moments,
-                                  found.careful, sites,          status,           bins.owner};
+                                  found.tied,    found.measures, found.face_areas, found.careful,
+                                  sites,         status,         bins.owner,       found.moments};
   VORPIPE_TRY(space::writeDiagram(proved, options.detail, threads, diagram));
   report.time_ms.cells = clock.milliseconds() - report.time_ms.order;
   for (const Status of_site : diagram.status) {

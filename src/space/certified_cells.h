@@ -27,8 +27,6 @@ struct ProvedCells {
   /// Of cells without `careful`. Areas are by face.
   std::span<const CellMeasures> measures;
   std::span<const std::vector<double>> face_areas;
-  /// Second moments likewise. None: they are computed where they are wanted.
-  std::span<const std::array<double, 6>> moments;
   /// Those whose cells are not measured yet, ascending.
   std::span<const std::uint32_t> careful;
 
@@ -36,6 +34,10 @@ struct ProvedCells {
   std::span<const Point3> sites;
   std::span<const Status> status;  ///< ok: the site is in the run, and its row is not empty
   std::span<const std::uint32_t> owner;
+
+  /// By site of the run, second moments of cells without `careful`. None: they are computed where they are
+  /// wanted.
+  std::span<const std::array<double, 6>> moments{};
 };
 
 /// Writes all but the report of a diagram, in the caller's order. Its numbers of vertices do not depend on
