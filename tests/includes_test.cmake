@@ -79,7 +79,7 @@ set(users
     "^base/parallel\\.cpp$"
     "^motion/linear/laplacian\\.cpp$"
     "^io/cells/npz_arrays\\.h$"
-    "^backend/")
+    "^(backend|space)/")
 
 # Sets allowed to whether file (relative to src) may include header, quoted or in angle brackets.
 function(vorpipe_may_include file header quoted allowed)

@@ -272,7 +272,7 @@ def _named(begin: Named, particles: Optional[int], arrays: Any,
             raise _scalars.refuse(argument, f'{name} has its own')
     if particles is not None and not is_case:
         raise _scalars.refuse('particles', f'is for cases; {name} has as many as it has')
-    count = _vorpipe.usual_particles(name) if particles is None else _scalars.whole_of(
+    count = _vorpipe.usual_particles(name if is_case else '') if particles is None else _scalars.whole_of(
         'particles', particles, 4, what='is no number of at least 4')
     outline = None if domain is None else _arguments.outline_of(domain)
     return _vorpipe.FluidSetup.named(path, count, outline, _scalars.flag_of('repair', repair)), count

@@ -185,7 +185,8 @@ class Polyhedron {
       const double had = run_.diagram.second_moments[i_][k], squared = run_.scale * run_.scale;
       // In the caller's unit it may be no number that a double holds.
       const double found = second[k] / unit / squared;
-      if (!std::isnormal(found) || std::abs(second[k] - had * unit * squared) <= 2 * slack * reach * reach)
+      if ((second[k] != 0 && !std::isnormal(found)) ||
+          std::abs(second[k] - had * unit * squared) <= 2 * slack * reach * reach)
         continue;
       return fmt::format("site {} has the second moment {}, number {}, its vertices {}", i_, had, k, found);
     }

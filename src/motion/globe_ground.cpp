@@ -245,7 +245,7 @@ std::unique_ptr<Ground> globeGround(const Session& session, const RelaxOptions& 
 
 Result<void> checkMovableOnGlobe(const Sites& sites, const RelaxOptions& options, int threads) {
   if (!options.outline.empty()) {
-    return tl::unexpected(refusalOf(Subject::outline, "with globe sites relax on the whole Earth"));
+    return tl::unexpected(refusalOf(Subject::domain, "with globe sites relax on the whole Earth"));
   }
   if (options.equal_masses) {
     return tl::unexpected(Error{ErrorCode::input, "equal_masses: are of a plane, and not of the globe"});

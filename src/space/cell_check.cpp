@@ -288,6 +288,11 @@ Verdict CellCheck::check(Label site, bool made_exactly) {
   find_corners_(job_);
   verdict.tied = job_.tied;
   verdict.unsure = job_.unsure;
+  for (std::size_t f = 0; f < row_.faces; ++f) {
+    if (isWallLabel(row_.neighbor[f]) || !(distance_[f] < verdict.distance)) continue;
+    verdict.nearest = static_cast<std::uint32_t>(row_.neighbor[f]);
+    verdict.distance = distance_[f];
+  }
   if (!isGlued(verdict)) return verdict;
   if (!made_exactly && (job_.tied || job_.unsure)) provedExactly(verdict);
   return verdict;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <cmath>
 #include <cstdint>
 #include <memory>
 #include <vector>
@@ -27,6 +28,8 @@ struct Verdict {
   /// For glue the neighbor, for orientation and edge the labels of the vertices: sites whose cells are in
   /// dispute, besides the cell itself. Walls and -7 name none.
   std::array<Label, 4> with{-7, -7, -7, -7};
+  std::uint32_t nearest = 0;  ///< the neighbor whose site is nearest, and its distance
+  double distance = HUGE_VAL;
   bool tied = false;    ///< an edge may be a tie
   bool unsure = false;  ///< a vertex is too badly conditioned for measures
 };

@@ -1,13 +1,17 @@
 #include "space/certify.h"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <memory>
 #include <mutex>
 #include <numeric>
+#include <optional>
 #include <string>
 #include <utility>
 
 #include "base/parallel.h"
+#include "base/refusal.h"
 #include "base/try.h"
 #include "space/exact_search.h"
 
@@ -15,6 +19,9 @@ namespace vorpipe::space {
 namespace {
 
 using SiteList = std::vector<std::uint32_t>;
+
+/// Of the box's longest side, which is from 1 to 2 in a run.
+constexpr double least_distance = 0x1p-80;
 
 void sortUnique(SiteList& sites) {
   std::ranges::sort(sites);
@@ -30,11 +37,12 @@ bool isOutside(const Places& places, std::size_t site) {
 
 class Certifier {
  public:
-  Certifier(const SiteBins& bins, bool moments, int threads)
+  Certifier(const SiteBins& bins, bool moments, const Progress& progress, int threads)
       : bins_(bins),
         places_(bins.places()),
         lanes_(bins.lanes()),
         propose_cells_(proposeCells()),
+        progress_(progress),
         threads_(threads),
         found_(bins.sites.size()),
         tied_(bins.sites.size(), 0),
@@ -44,26 +52,18 @@ class Certifier {
     if (moments) found_.moments.resize(bins.sites.size());
   }
 
-  Result<CertifiedRows> run(const Progress& progress) {
-    const auto stopped = [&progress](double part) { return progress && !progress("cells", part); };
-    const Error cancelled{ErrorCode::cancelled, "stopped"};
-    if (tiesAreEverywhere()) {
-      disputeAll();
-    } else {
-      propose();
-    }
-    if (stopped(0.4)) return tl::unexpected(cancelled);
-    recompute();
+  Result<CertifiedRows> run() {
+    VORPIPE_TRY(tiesAreEverywhere() ? disputeAll() : propose());
+    VORPIPE_TRY(recompute(0.4, 0.5));
     SiteList which = allSites();
     bool all = false;
     for (;;) {
-      if (stopped(0.6)) return tl::unexpected(cancelled);
-      check(which);
+      VORPIPE_TRY(check(which));
       if (disputed_.empty()) {
         if (cellsOfCorner(found_.rows) == 1 && !forgetsSite(places_, found_.rows, exact_)) break;
         if (all) return tl::unexpected(remains("the cells do not cover the box once"));
         all = true;
-        disputeAll();
+        disputed_ = allSites();
       }
       const std::uint32_t first = disputed_.front();
       std::erase_if(disputed_, [this](std::uint32_t i) { return exact_[i] != 0; });
@@ -72,11 +72,12 @@ class Certifier {
             remains("the cell of site " + std::to_string(bins_.input[first]) + " remains in dispute"));
       }
       which = around(disputed_);
-      recompute();
+      VORPIPE_TRY(recompute(0.8, 0.9));
       const SiteList after = around(which);
       which.insert(which.end(), after.begin(), after.end());
       sortUnique(which);
     }
+    if (near_) return tl::unexpected(nearSites(near_->first, near_->second));
     for (std::uint32_t i = 0; i < careful_.size(); ++i) {
       if (tied_[i] != 0) found_.tied.push_back(i);
       if (careful_[i] != 0) found_.careful.push_back(i);
@@ -89,10 +90,41 @@ class Certifier {
     return {ErrorCode::device, what + " after exact arithmetic: a fault of vorpipe"};
   }
 
-  /// Runs body(begin, end, arena) for ranges of [0, count), each with an arena of its own.
+  [[nodiscard]] Error nearSites(std::uint32_t a, std::uint32_t b) const {
+    const auto text = [this](std::uint32_t site) {
+      const Point3& p = bins_.sites[site];
+      return fmt::format("{}, {}, {}", p.x / bins_.scale, p.y / bins_.scale, p.z / bins_.scale);
+    };
+    if (bins_.input[a] > bins_.input[b]) std::swap(a, b);
+    return refusal(
+        Subject::sites,
+        fmt::format("sites {} and {}: {} and {} are not equal, but nearer to each other than {:.0e} "
+                    "of the domain's longest side: make them equal, or move one",
+                    bins_.input[a], bins_.input[b], text(a), text(b), least_distance));
+  }
+
+  /// Runs body(begin, end) for ranges of [0, count) on all threads, and tells progress in between, which goes
+  /// from one part of the whole to another.
   template <class Body>
-  void inArenas(std::size_t count, std::size_t grain, const Body& body) {
-    parallelFor(count, grain, threads_, [&](std::size_t begin, std::size_t end) {
+  Result<void> inSteps(std::size_t count, std::size_t grain, double from, double to, const Body& body) {
+    // As long as a few hundredths of a second, so that who wants to stop need not wait.
+    const std::size_t step = std::max<std::size_t>(std::size_t{1} << 14, grain);
+    for (std::size_t begin = 0; begin < count; begin += step) {
+      const std::size_t size = std::min(step, count - begin);
+      parallelFor(size, std::min(grain, size), threads_,
+                  [&](std::size_t first, std::size_t last) { body(begin + first, begin + last); });
+      const double done = static_cast<double>(begin + size) / static_cast<double>(count);
+      if (progress_ && !progress_("cells", from + (to - from) * done)) {
+        return tl::unexpected(Error{ErrorCode::cancelled, "stopped"});
+      }
+    }
+    return {};
+  }
+
+  /// The same with body(begin, end, arena), each with an arena of its own.
+  template <class Body>
+  Result<void> inArenas(std::size_t count, std::size_t grain, double from, double to, const Body& body) {
+    return inSteps(count, grain, from, to, [&](std::size_t begin, std::size_t end) {
       RowArena arena;
       body(begin, end, arena);
       const std::scoped_lock lock(mutex_);
@@ -109,11 +141,14 @@ class Certifier {
     std::iota(all.begin(), all.end(), 0U);
     return all;
   }
-  void disputeAll() { disputed_ = allSites(); }
+  Result<void> disputeAll() {
+    disputed_ = allSites();
+    return {};
+  }
 
-  void propose() {
-    const std::size_t grain = std::clamp<std::size_t>(bins_.bins() / 16, 1, 4096);
-    inArenas(bins_.bins(), grain, [this](std::size_t begin, std::size_t end, RowArena& arena) {
+  Result<void> propose() {
+    const std::size_t grain = std::clamp<std::size_t>(bins_.bins() / 16, 1, 2048);
+    return inArenas(bins_.bins(), grain, 0, 0.4, [this](std::size_t begin, std::size_t end, RowArena& arena) {
       dispute(proposeBins(begin, end, arena));
     });
   }
@@ -172,29 +207,32 @@ class Certifier {
   }
 
   /// Recomputes the cells in dispute exactly.
-  void recompute() {
+  Result<void> recompute(double from, double to) {
     sortUnique(disputed_);
     const std::size_t grain = std::clamp<std::size_t>(disputed_.size() / 256, 16, 4096);
-    inArenas(disputed_.size(), grain, [&](std::size_t begin, std::size_t end, RowArena& arena) {
-      std::unique_ptr<ExactSearch> search = takeSearch();
-      for (std::size_t k = begin; k < end; ++k) {
-        const std::uint32_t site = disputed_[k];
-        const ExactRow& row = search->rowOf(static_cast<Label>(site));
-        exact_[site] = 1;
-        found_.rows.clear(site);
-        if (!row.neighbors.empty()) found_.rows.set(site, row.neighbors, row.vertices, arena);
-      }
-      const std::scoped_lock lock(mutex_);
-      searches_.push_back(std::move(search));
-    });
+    const auto done =
+        inArenas(disputed_.size(), grain, from, to, [&](std::size_t begin, std::size_t end, RowArena& arena) {
+          std::unique_ptr<ExactSearch> search = takeSearch();
+          for (std::size_t k = begin; k < end; ++k) {
+            const std::uint32_t site = disputed_[k];
+            const ExactRow& row = search->rowOf(static_cast<Label>(site));
+            exact_[site] = 1;
+            found_.rows.clear(site);
+            if (!row.neighbors.empty()) found_.rows.set(site, row.neighbors, row.vertices, arena);
+          }
+          const std::scoped_lock lock(mutex_);
+          searches_.push_back(std::move(search));
+        });
+    VORPIPE_TRY(done);
     found_.exact += disputed_.size();
     disputed_.clear();
+    return {};
   }
 
   /// Checks cells, keeps their measures, and disputes those that are not proved.
-  void check(const SiteList& which) {
+  Result<void> check(const SiteList& which) {
     const std::size_t grain = std::clamp<std::size_t>(which.size() / 16, 1, 4096);
-    parallelFor(which.size(), grain, threads_, [&](std::size_t begin, std::size_t end) {
+    VORPIPE_TRY(inSteps(which.size(), grain, 0.5, 0.8, [&](std::size_t begin, std::size_t end) {
       const bool moments = !found_.moments.empty();
       CellCheck cell_check(places_, found_.rows, moments);
       SiteList disputed;
@@ -212,6 +250,11 @@ class Certifier {
           }
           continue;
         }
+        if (verdict.distance < least_distance) {
+          const std::scoped_lock lock(mutex_);
+          near_ =
+              std::min(near_.value_or(std::pair(site, verdict.nearest)), std::pair(site, verdict.nearest));
+        }
         tied_[site] = verdict.tied ? 1 : 0;
         careful_[site] = verdict.unsure || isOutside(places_, site) ? 1 : 0;
         found_.measures[site] = cell_check.measures();
@@ -221,8 +264,9 @@ class Certifier {
         for (std::size_t f = 0; f < areas.size(); ++f) areas[f] = cell_check.faceArea(f);
       }
       dispute(std::move(disputed));
-    });
+    }));
     sortUnique(disputed_);
+    return {};
   }
 
   /// The sites, and the neighbors of their cells.
@@ -241,11 +285,14 @@ class Certifier {
   Places places_;
   LaneBins lanes_;
   ProposeCells propose_cells_;
+  const Progress& progress_;
   int threads_;
   CertifiedRows found_;
   std::vector<std::uint8_t> tied_, careful_, exact_;  ///< by site
   SiteList disputed_;
   std::vector<std::unique_ptr<ExactSearch>> searches_;  ///< that are idle
+  std::optional<std::pair<std::uint32_t, std::uint32_t>>
+      near_;  ///< two sites that are too near to each other
   std::mutex mutex_;
 };
 
@@ -275,7 +322,7 @@ bool forgetsSite(const Places& places, const Rows& rows, std::span<const std::ui
 }
 
 Result<CertifiedRows> certify(const SiteBins& bins, bool moments, const Progress& progress, int threads) {
-  return Certifier(bins, moments, threads).run(progress);
+  return Certifier(bins, moments, progress, threads).run();
 }
 
 }  // namespace vorpipe::space
