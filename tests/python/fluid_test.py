@@ -46,10 +46,10 @@ def test_viscosity_takes_energy_as_theory_says():
 
 
 def test_centering_keeps_points_in_their_cells(tmp_path):
-    loose = vorpipe.Fluid('taylor-green', particles=256, until=1.5)
-    held = vorpipe.Fluid('taylor-green', particles=256, until=1.5, centering=2)
+    loose = vorpipe.Fluid('rayleigh-taylor', particles=256, until=1.5, centering=0)
+    held = vorpipe.Fluid('rayleigh-taylor', particles=256, until=1.5)
     assert loose.centering == 0 and held.centering == 2
-    assert vorpipe.Fluid('rayleigh-taylor', particles=64).centering > 0
+    assert vorpipe.Fluid('taylor-green', particles=64).centering == 0
     assert held.run().farthest < 0.7 * loose.run().farthest and held.last.worst <= 1e-6
     held.save(tmp_path / 'held.npz')
     assert vorpipe.Fluid(tmp_path / 'held.npz').centering == 2
