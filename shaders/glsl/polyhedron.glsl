@@ -5,7 +5,7 @@
 //   SLOTS, LANES             64 slots for vertices, and how many of them stand side by side
 //   lane_real                float on a device, a vector of LANES floats in C++: LANES slots
 //   MASK                     64 truths, one for each slot, as bits; with & | ~
-//   NO_SLOT, SLOT(k)         the mask of none, and of slot k
+//   NO_SLOT, SLOT(k)         the mask without any bit, and the one with the bit of slot k alone
 //   ANY_OF(m), COUNT(m), LOWEST(m)
 //                            whether any bit of a mask is set, how many are, and the index of the lowest that is
 //   LESS(a, b, block)        the mask of those of the slots block * LANES .. in which a lane_real is less than another

@@ -108,7 +108,7 @@ Result<SpaceTargets> targetsOf(const CellsCommand& command) {
   return targets;
 }
 
-/// Returns the bytes that a run over so many sites takes at its peak.
+/// Returns the peak memory in bytes of a run over `sites` sites whose attributes take `attribute_bytes`.
 std::uint64_t peakInSpace(const CellsCommand& command, const SpaceTargets& targets, std::uint64_t sites,
                           std::uint64_t attribute_bytes) {
   Workload work;

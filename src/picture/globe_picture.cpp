@@ -65,7 +65,8 @@ class MapPixels {
     return rings;
   }
 
-  /// Draws one of so many rows from a pixel of the image on, and returns the site of its first place.
+  /// Draws row `row` of `rows` into the image, from `pixel` on. The walk begins at `site`; returns the site
+  /// of the row's first place.
   std::uint32_t drawRow(int row, int rows, std::uint32_t site, Image& image, std::size_t pixel) const {
     const Box& box = box_;
     const SphereMap::Row places(map_, box.ymax - (row + 0.5) / rows * (box.ymax - box.ymin));

@@ -89,7 +89,7 @@ class Taken {
   std::vector<std::vector<Box>> bands_;
 };
 
-/// A name without room in its cell.
+/// A label that does not fit into its cell.
 struct WaitingName {
   SiteLabel label;
   TextBox box;
@@ -150,8 +150,8 @@ std::array<Box, 8> boxesBeside(const TextBox& box, Point dot, double radius) {
   return boxes;
 }
 
-/// Places names that have no room in their cells beside their dots: where they cover no other name and no
-/// dot, and least of the cells beside their own.
+/// Places the labels of `waiting`, which do not fit into their cells, beside the dots of their sites: where
+/// they cover no other label and no dot, and as little of other cells as possible.
 void addBeyond(std::vector<WaitingName>& waiting, const Sites& at, const Diagram& cells,
                const RenderOptions& options, const Box& picture, SiteLabels& found) {
   const PicturePlaces places(options);

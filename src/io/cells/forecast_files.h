@@ -32,7 +32,7 @@ void planDensity(MemoryPlan& plan, std::uint64_t pixels);
 void planCellsFile(MemoryPlan& plan, const Workload& work, const CellsFormat& format,
                    std::uint64_t attribute_bytes = 0);
 
-/// Plans writeSpaceCells of cells of so many sites.
+/// Plans the memory that writeSpaceCells takes for the cells of `sites` sites.
 void planSpaceFile(MemoryPlan& plan, std::uint64_t sites, const SpaceFormat& format);
 
 /// Plans the writer of a picture's shapes; their cells are planned by planCells.

@@ -148,7 +148,7 @@ Result<void> writeSpacePly(ByteSink& sink, const SpaceOutput& output) {
     return inputError(fmt::format("{}: {} vertices are more than a .ply can count; .vtu can", sink.name(),
                                   d.vertices.size()));
   }
-  // Of the two cells of a face the first has it.
+  // Two cells share a face: that of the lower index writes it, and a cell at a wall its own.
   const auto isOwn = [&](std::size_t site, std::uint64_t face) {
     return d.neighbors[face] < 0 || static_cast<std::size_t>(d.neighbors[face]) > site;
   };

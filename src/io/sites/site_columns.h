@@ -71,7 +71,7 @@ std::optional<std::pair<std::size_t, std::size_t>> positionsWithoutHeader(
     std::span<const std::string> chosen);
 
 /// Returns the unnamed columns of x, y and possibly weights, or of x, y and z, from 0. Errors (input),
-/// beginning with `name`: they are not so many different numbers from 1 to `count`.
+/// beginning with `name`: an entry of `columns` is no number from 1 to `count`, or two are the same.
 Result<std::vector<std::size_t>> numberedColumns(std::span<const std::string> columns, std::size_t count,
                                                  std::string_view name, Third third = Third::weight);
 
