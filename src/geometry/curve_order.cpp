@@ -11,7 +11,7 @@
 namespace vorpipe::core {
 namespace {
 
-constexpr std::size_t curve_order_grain = std::size_t{1} << 15;
+constexpr std::size_t curve_order_most = std::size_t{1} << 15;
 
 /// A position on Hilbert's curve, and the site there.
 struct OnCurve {
@@ -123,7 +123,7 @@ class RadixSort {
   RadixSort(BigVector<OnCurve>& placed, int threads)
       : placed_(placed),
         other_(placed.size()),
-        blocks_(std::clamp<std::size_t>(placed.size() / curve_order_grain, 1,
+        blocks_(std::clamp<std::size_t>(placed.size() / curve_order_most, 1,
                                         static_cast<std::size_t>(threadCount(threads)))),
         size_((placed.size() + blocks_ - 1) / blocks_),
         count_(blocks_),
@@ -172,7 +172,9 @@ void sortAlongCurve(const SiteSet& sites, std::vector<std::uint32_t>& which, int
   if (which.empty()) return;
   BigVector<OnCurve> placed(which.size());
   const Box box = boxAround(sites, which, [](std::uint32_t i) { return i; });
-  parallelFor(placed.size(), curve_order_grain, threads, [&](std::size_t begin, std::size_t end) {
+  const auto grain = grainFor(placed.size(), curve_order_most);
+  threads = threadsForSteps(placed.size(), threads);
+  parallelFor(placed.size(), grain, threads, [&](std::size_t begin, std::size_t end) {
     for (auto k = begin; k < end; ++k) placed[k] = {0, which[k]};
     place(sites, box, std::span(placed).subspan(begin, end - begin));
   });
@@ -183,7 +185,7 @@ void sortAlongCurve(const SiteSet& sites, std::vector<std::uint32_t>& which, int
   };
   std::vector<std::size_t> bounds{0};
   while (bounds.back() < placed.size()) {
-    auto end = std::min(bounds.back() + curve_order_grain, placed.size());
+    auto end = std::min(bounds.back() + grain, placed.size());
     while (!endsAt(end)) ++end;
     bounds.push_back(end);
   }

@@ -1,6 +1,7 @@
 /// Directions from the center of the Earth: unit vectors, and the places that they point to.
 #pragma once
 
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <span>
@@ -32,6 +33,14 @@ inline Direction cross(const Direction& a, const Direction& b) {
 }
 inline double lengthOf(const Direction& a) { return std::sqrt(dot(a, a)); }
 inline Direction normalized(const Direction& a) { return 1 / lengthOf(a) * a; }
+
+/// Vectors side by side, for loops over them that are vectorized.
+template <std::size_t lanes>
+struct DirectionLanes {
+  std::array<double, lanes> x{}, y{}, z{};
+  void set(std::size_t k, const Direction& a) { x[k] = a.x, y[k] = a.y, z[k] = a.z; }
+  [[nodiscard]] Direction at(std::size_t k) const { return {x[k], y[k], z[k]}; }
+};
 
 /// Some unit vector at right angles to another one.
 Direction perpendicular(const Direction& a);

@@ -94,48 +94,104 @@ class Slices {
   Direction axis_;
 };
 
-/// A triangle around a vertex of a mesh, and the vertex after it there, counter-clockwise. The edge to that
-/// vertex begins in the triangle before.
-struct MeshCorner {
-  std::uint32_t triangle, first;
-};
+/// The triangles around vertices of a mesh.
+class Around {
+ public:
+  /// The triangle, by `root`, where an edge of a cell begins, and the site across.
+  struct CellEdge {
+    std::uint32_t triangle, site;
+  };
 
-constexpr std::uint32_t no_corner = ~std::uint32_t{0};
+  Around(const SphereMesh& mesh, const std::vector<std::uint32_t>& root) : mesh_(mesh), root_(root) {}
 
-/// Lists the triangles, by `root`, around a vertex whose edges are no ties, counter-clockwise.
-void listAround(const SphereMesh& mesh, const std::vector<std::uint32_t>& root, std::uint32_t v,
-                std::vector<MeshCorner>& around) {
-  around.clear();
-  const auto begin = mesh.at[v];
-  if (begin < 0) return;
-  const auto own = static_cast<std::int32_t>(v);
-  auto t = begin;
-  std::uint32_t before = no_corner;
-  do {
-    const MeshTriangle& triangle = mesh.triangles[static_cast<std::size_t>(t)];
-    const auto& corner = triangle.corner;
-    // The corner after its own, without a jump that no processor would foresee.
-    const auto next = std::size_t{corner[0] == own} + 2 * std::size_t{corner[1] == own};
-    before = root[static_cast<std::size_t>(t)];
-    around.push_back({before, static_cast<std::uint32_t>(corner[next])});
-    t = triangle.neighbor[next];
-  } while (t != begin);
-  // From here, `triangle` is the one where the edge begins.
-  std::size_t kept = 0;
-  for (const MeshCorner corner : around) {
-    if (corner.triangle != before) around[kept++] = {before, corner.first};
-    before = corner.triangle;
+  /// Has the processor fetch triangles of vertices that follow: else each waits for memory. (Not inlined, GCC
+  /// would drop the call.)
+  [[gnu::always_inline]] inline void fetchAhead(std::size_t v) const {
+    constexpr std::size_t ahead = 8;
+    const auto first = std::min(v + 2 * ahead, mesh_.at.size() - 1), then = std::min(v + ahead, first);
+    if (mesh_.at[first] >= 0) __builtin_prefetch(&mesh_.triangles[static_cast<std::size_t>(mesh_.at[first])]);
+    if (mesh_.at[then] < 0) return;
+    for (const auto beside : mesh_.triangles[static_cast<std::size_t>(mesh_.at[then])].neighbor)
+      __builtin_prefetch(&mesh_.triangles[static_cast<std::size_t>(beside)]);
   }
-  around.resize(kept);
-}
 
-/// A triangle's corners from the lowest: the same however the mesh was made.
-std::array<std::int32_t, 3> fromLowest(std::array<std::int32_t, 3> corner) {
-  const auto [a, b, c] = corner;
-  if (b < a && b < c) return {b, c, a};
-  if (c < a && c < b) return {c, a, b};
-  return corner;
-}
+  /// Appends the edges of the cell of a vertex, counter-clockwise, that to the lowest site first; nothing if
+  /// it has no cell.
+  void list(std::size_t v, std::vector<CellEdge>& edges) {
+    if (mesh_.at[v] < 0) return;
+    auto k = walk(v);
+    const auto count = corner_.size();
+    // The edge to a neighbor begins in the triangle before.
+    auto before = k > 0 ? k - 1 : count - 1;
+    for (std::size_t e = 0; e < count; ++e) {
+      edges.push_back({corner_[before].triangle, corner_[k].site});
+      before = k;
+      if (++k == count) k = 0;
+    }
+  }
+
+ private:
+  /// A triangle, and the site of the vertex after it, counter-clockwise.
+  struct Corner {
+    std::uint32_t triangle, site;
+  };
+  static constexpr std::uint32_t no_triangle = ~std::uint32_t{0};
+
+  /// The lowest of some sites, and its place.
+  class Lowest {
+   public:
+    void take(std::uint32_t site, std::size_t place) {
+      site_and_place_ = std::min(site_and_place_, std::uint64_t{site} << 32 | place);
+    }
+    [[nodiscard]] std::size_t place() const { return site_and_place_ & ~std::uint32_t{0}; }
+
+   private:
+    std::uint64_t site_and_place_ = ~std::uint64_t{0};
+  };
+
+  /// Lists the triangles, by root, around a vertex, without those after edges that are ties. Returns the
+  /// place of the lowest site.
+  std::size_t walk(std::size_t v) {
+    const auto own = static_cast<std::int32_t>(v), begin = mesh_.at[v];
+    auto t = begin;
+    auto before = no_triangle;
+    bool has_ties = false;
+    corner_.clear();
+    Lowest lowest;
+    do {
+      const MeshTriangle& triangle = mesh_.triangles[static_cast<std::size_t>(t)];
+      const auto& corner = triangle.corner;
+      // The corner after its own, without a jump that no processor would foresee.
+      const auto next = std::size_t{corner[0] == own} + 2 * std::size_t{corner[1] == own};
+      const auto root = root_[static_cast<std::size_t>(t)];
+      const auto site = mesh_.site[static_cast<std::size_t>(corner[next])];
+      has_ties |= root == before;
+      before = root;
+      lowest.take(site, corner_.size());
+      corner_.push_back({root, site});
+      t = triangle.neighbor[next];
+    } while (t != begin);
+    if (has_ties || corner_.front().triangle == before) lowest = dropTies();
+    return lowest.place();
+  }
+
+  Lowest dropTies() {
+    auto before = corner_.back().triangle;
+    std::size_t kept = 0;
+    Lowest least;
+    for (const Corner corner : corner_) {
+      if (corner.triangle == std::exchange(before, corner.triangle)) continue;
+      least.take(corner.site, kept);
+      corner_[kept++] = corner;
+    }
+    corner_.resize(kept);
+    return least;
+  }
+
+  const SphereMesh& mesh_;
+  const std::vector<std::uint32_t>& root_;
+  std::vector<Corner> corner_;
+};
 
 }  // namespace
 
@@ -153,7 +209,7 @@ class CellRows {
 
   Result<SphereCells> run(std::size_t sites, bool has_places) {
     VORPIPE_TRY(findCenters());
-    each(mesh_.triangles.size(), [this](std::uint32_t t) { joinTies(t); });
+    joinTies();
     cells_.root_ = std::move(joined_).roots();
     settleCenters();
     VORPIPE_TRY(count(sites));
@@ -175,8 +231,6 @@ class CellRows {
   }
 
  private:
-  using Center = SphereCells::Center;
-
   template <class Work>
   void each(std::size_t count, const Work& work) {
     parallelFor(count, cells_grain, threads_, [&](std::size_t begin, std::size_t end) {
@@ -197,38 +251,28 @@ class CellRows {
     return ordered;
   }
 
-  /// At right angles to the plane through the three vectors. Near a site it is that site's direction p plus
-  /// the part of a vector at right angles to that plane: (p + u) . (v - w) = 0 for its vector v and both
-  /// others, w. That keeps the digits of sites that are near to each other.
-  [[nodiscard]] Center centerOf(const std::array<std::int32_t, 3>& corner) const {
-    constexpr double few = 8, near = 0.5, epsilon = std::numeric_limits<double>::epsilon();
-    const std::array t{static_cast<std::size_t>(corner[0]), static_cast<std::size_t>(corner[1]),
-                       static_cast<std::size_t>(corner[2])};
-    const Direction a = vectors_[t[1]] - vectors_[t[0]], b = vectors_[t[2]] - vectors_[t[0]];
-    const Direction across = cross(a, b);
-    const double size = lengthOf(across), longest = std::max(lengthOf(a), lengthOf(b));
-    const auto depth = [&](std::size_t site) { return depthOf(sites_, t[0], site); };
-    const Direction way =
-        1 / (size * size) * (depth(t[1]) * cross(b, across) + depth(t[2]) * cross(across, a));
-    const double radius = lengthOf(way);
-    if (radius < near && dot(sites_.direction[t[0]], across) > 0) {
-      return {normalized(sites_.direction[t[0]] + way),
-              few * epsilon * (1 + (longest + radius) * longest / size)};
-    }
-    return {1 / size * across, few * epsilon * longest / size};
-  }
-
   Result<void> findCenters() {
     auto& centers = cells_.centers_;
     centers.resize(mesh_.triangles.size());
     std::atomic<std::uint32_t> lost = no_site;
-    each(centers.size(), [&](std::uint32_t t) {
-      const auto corner = fromLowest(mesh_.triangles[t].corner);
-      centers[t] = centerOf(corner);
-      if (std::isfinite(lengthOf(centers[t].at))) return;
-      const auto site = mesh_.site[static_cast<std::size_t>(corner[0])];
-      auto lowest = lost.load();
-      while (site < lowest && !lost.compare_exchange_weak(lowest, site)) {
+    parallelFor(centers.size(), cells_grain, threads_, [&](std::size_t begin, std::size_t end) {
+      SphereCenterBatch batch;
+      for (auto first = begin; first < end; first += batch.room) {
+        const auto count = std::min(end - first, batch.room);
+        for (std::size_t k = 0; k < count; ++k) {
+          fetchCorners(first + k);
+          const auto corner = fromLowest(mesh_.triangles[first + k].corner);
+          batch.set(k, sites_,
+                    {static_cast<std::size_t>(corner[0]), static_cast<std::size_t>(corner[1]),
+                     static_cast<std::size_t>(corner[2])});
+        }
+        batch.find();
+        for (std::size_t k = 0; k < count; ++k) {
+          const auto t = first + k;
+          centers[t] = batch.center(k);
+          if (std::isfinite(dot(centers[t].at, centers[t].at))) continue;
+          lowerTo(lost, mesh_.site[static_cast<std::size_t>(fromLowest(mesh_.triangles[t].corner)[0])]);
+        }
       }
     });
     if (lost == no_site) return {};
@@ -237,18 +281,58 @@ class CellRows {
         fmt::format("site {} is so near to others that rounding leaves no vertex to them", lost.load())));
   }
 
-  /// Joins a triangle with those across its edges that are ties, and of higher numbers.
-  void joinTies(std::uint32_t t) {
-    const MeshTriangle& triangle = mesh_.triangles[t];
-    for (std::size_t k = 0; k < 3; ++k) {
-      const auto next = static_cast<std::uint32_t>(triangle.neighbor[k]);
-      if (next < t) continue;
-      const Center &a = cells_.centers_[t], &b = cells_.centers_[next];
-      const Direction sides = vectorAt(triangle.corner[(k + 1) % 3]) - vectorAt(triangle.corner[(k + 2) % 3]);
-      const double tie = std::max(shortest_edge * lengthOf(sides), a.rounding + b.rounding);
-      const Direction way = b.at - a.at;
-      if (dot(way, way) <= tie * tie) joined_.join(t, next);
+  /// Has the processor fetch the sites of a triangle that follows. (Not inlined, GCC would drop the call.)
+  [[gnu::always_inline]] inline void fetchCorners(std::size_t t) const {
+    constexpr std::size_t ahead = 16;
+    for (const auto v : mesh_.triangles[std::min(t + ahead, mesh_.triangles.size() - 1)].corner)
+      __builtin_prefetch(&vectors_[static_cast<std::size_t>(v)]);
+  }
+  /// The same for centers on the other sides of its edges.
+  [[gnu::always_inline]] inline void fetchCenters(std::size_t t) const {
+    constexpr std::size_t ahead = 16;
+    for (const auto other : mesh_.triangles[std::min(t + ahead, mesh_.triangles.size() - 1)].neighbor)
+      __builtin_prefetch(&cells_.centers_[static_cast<std::size_t>(other)]);
+  }
+
+  static void lowerTo(std::atomic<std::uint32_t>& lowest, std::uint32_t site) {
+    auto known = lowest.load();
+    while (site < known && !lowest.compare_exchange_weak(known, site)) {
     }
+  }
+
+  /// Joins triangles with those across their edges that are ties.
+  void joinTies() {
+    const double far = 2.001 * longestVector();
+    parallelFor(mesh_.triangles.size(), cells_grain, threads_, [&](std::size_t begin, std::size_t end) {
+      for (auto t = begin; t < end; ++t) {
+        fetchCenters(t);
+        for (std::size_t k = 0; k < 3; ++k) {
+          const auto next = static_cast<std::size_t>(mesh_.triangles[t].neighbor[k]);
+          // A bound, of few numbers, that nearly all edges exceed.
+          if (isTie(t, next, far) && next > t && isTie(t, next, lengthOf(sideOf(t, k))))
+            joined_.join(static_cast<std::uint32_t>(t), static_cast<std::uint32_t>(next));
+        }
+      }
+    });
+  }
+
+  /// Whether the vertices of two triangles are one, where the sites of the edge between them are so far from
+  /// each other.
+  [[nodiscard]] bool isTie(std::size_t t, std::size_t next, double distance) const {
+    const SphereCenter &a = cells_.centers_[t], &b = cells_.centers_[next];
+    const double tie = std::max(shortest_edge * distance, a.rounding + b.rounding);
+    const Direction way = b.at - a.at;
+    return dot(way, way) <= tie * tie;
+  }
+
+  [[nodiscard]] Direction sideOf(std::size_t t, std::size_t k) const {
+    const auto& corner = mesh_.triangles[t].corner;
+    return vectorAt(corner[(k + 1) % 3]) - vectorAt(corner[(k + 2) % 3]);
+  }
+
+  [[nodiscard]] double longestVector() const {
+    const auto& excess = sites_.excess;
+    return 1 + (excess.empty() ? 0 : std::max(0.0, *std::ranges::max_element(excess)));
   }
 
   /// Centers that ties join are where the one is that rounding moves least.
@@ -336,27 +420,42 @@ void SphereCells::visit(std::size_t begin, std::size_t end,
 
 void SphereCells::visitMesh(std::size_t begin, std::size_t end,
                             const std::function<void(const SphereCell&)>& work) const {
-  std::vector<MeshCorner> around;
+  constexpr std::size_t few = 32;
+  Around around(*mesh_, root_);
+  std::vector<Around::CellEdge> edges;
+  std::array<std::size_t, few + 1> row{};
   std::vector<std::int64_t> neighbor;
   std::vector<Direction> vertex;
   std::vector<Point> place;
-  for (auto v = begin; v < end; ++v) {
-    listAround(*mesh_, root_, static_cast<std::uint32_t>(v), around);
-    if (around.empty()) continue;
-    neighbor.resize(around.size());
-    vertex.resize(around.size());
-    if (!places_.empty()) place.resize(around.size());
-    std::uint64_t lowest = ~std::uint64_t{0};  // site and position
-    for (std::size_t k = 0; k < around.size(); ++k) {
-      lowest = std::min(lowest, std::uint64_t{mesh_->site[around[k].first]} << 32 | k);
+  for (; begin < end; begin += few) {
+    const auto count = std::min(few, end - begin);
+    edges.clear();
+    for (std::size_t k = 0; k < count; ++k) {
+      around.fetchAhead(begin + k);
+      around.list(begin + k, edges);
+      row[k + 1] = edges.size();
+      for (auto e = row[k]; e < row[k + 1]; ++e) {
+        __builtin_prefetch(&centers_[edges[e].triangle]);
+        if (!places_.empty()) __builtin_prefetch(&places_[edges[e].triangle]);
+      }
     }
-    std::ranges::rotate(around, around.begin() + static_cast<std::ptrdiff_t>(lowest & ~std::uint32_t{0}));
-    for (std::size_t k = 0; k < around.size(); ++k) {
-      neighbor[k] = mesh_->site[around[k].first];
-      vertex[k] = centers_[around[k].triangle].at;
-      if (!places_.empty()) place[k] = places_[around[k].triangle];
+    neighbor.resize(edges.size());
+    vertex.resize(edges.size());
+    if (!places_.empty()) place.resize(edges.size());
+    for (std::size_t e = 0; e < edges.size(); ++e) {
+      const auto [triangle, site] = edges[e];
+      neighbor[e] = site;
+      vertex[e] = centers_[triangle].at;
+      if (!places_.empty()) place[e] = places_[triangle];
     }
-    work({mesh_->site[v], along_[v], neighbor, vertex, place});
+    for (std::size_t k = 0; k < count; ++k) {
+      if (mesh_->at[begin + k] < 0) continue;
+      const auto rowOf = [&](const auto& of_all) {
+        return std::span(of_all).subspan(row[k], row[k + 1] - row[k]);
+      };
+      work({mesh_->site[begin + k], along_[begin + k], rowOf(neighbor), rowOf(vertex),
+            places_.empty() ? std::span<const Point>() : rowOf(place)});
+    }
   }
 }
 

@@ -8,6 +8,7 @@
 
 #include "base/big_vector.h"
 #include "globe/direction.h"
+#include "globe/sphere_centers.h"
 #include "globe/sphere_mesh.h"
 
 namespace vorpipe::core {
@@ -45,16 +46,10 @@ class SphereCells {
   void visitMesh(std::size_t begin, std::size_t end,
                  const std::function<void(const SphereCell&)>& work) const;
 
-  /// The direction in which three sites share a vertex.
-  struct Center {
-    Direction at;
-    double rounding;  ///< how far rounding may move it, in radians
-  };
-
   const SphereSites* sites_;
   const SphereMesh* mesh_;
   BigVector<Direction> along_;       ///< the directions of sites, by vertex of the mesh
-  BigVector<Center> centers_;        ///< by triangle; those of ties' roots alone are valid
+  BigVector<SphereCenter> centers_;  ///< by triangle; those of ties' roots alone are valid
   std::vector<std::uint32_t> root_;  ///< by triangle: the lowest with the same center
   BigVector<Point> places_;          ///< by triangle, if wanted
   Direction axis_{};                 ///< of the circle on which all sites lie

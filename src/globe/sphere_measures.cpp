@@ -1,132 +1,35 @@
 #include "globe/sphere_measures.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <numbers>
+
+#include "globe/arc_batch.h"
+#include "globe/ellipsoid.h"
 
 namespace vorpipe::core {
 namespace {
 
-constexpr double pi = std::numbers::pi;
-
-// WGS 84.
-constexpr double equator_radius = 6378.137;  // km
-constexpr double flattening = 1 / 298.257223563, ellipticity = flattening * (2 - flattening);
-
-constexpr std::size_t terms = 8;
-
-/// The factors of (sin^2 latitude)^k in Snyder's q (3-12), by the sine: sine * (1 - e^2) * sum of
-/// e^2k (2k + 2) / (2k + 1) (sin^2)^k.
-constexpr std::array<double, terms> authalicSeries() {
-  std::array<double, terms> factors{};
-  double power = 1;
-  for (std::size_t k = 0; k < terms; ++k) {
-    factors[k] = power * static_cast<double>(2 * k + 2) / static_cast<double>(2 * k + 1);
-    power *= ellipticity;
-  }
-  return factors;
-}
-
-constexpr double sumOf(const std::array<double, terms>& factors) {
-  double sum = 0;
-  for (const double factor : factors) sum += factor;
-  return sum;
-}
-
-/// The sine of the authalic latitude is s + s (1 - s^2) g(s^2), where s is that of the geodetic one: these
-/// are the factors of the polynomial g.
-constexpr std::array<double, terms - 1> differenceSeries() {
-  const auto series = authalicSeries();
-  std::array<double, terms - 1> factors{};
-  double rest = 0;
-  for (std::size_t j = terms - 1; j-- > 0;) {
-    rest += series[j + 1];
-    factors[j] = -rest / sumOf(series);
-  }
-  return factors;
-}
-
-double squaredRadius() {
-  return equator_radius * equator_radius * (1 - ellipticity) * sumOf(authalicSeries()) / 2;
-}
-
-/// What the ellipsoid has more than the sphere, at sine s, by z (x dy - y dx) along the border (Green).
-double difference(double s) {
-  constexpr auto factors = differenceSeries();
-  const double squared = s * s;
-  double sum = 0;
-  for (std::size_t j = factors.size(); j-- > 0;) sum = sum * squared + factors[j];
-  return -s * sum;
-}
-
-/// The angle whose sine and cosine are as y to x.
-double angleOf(double y, double x) {
-  constexpr double short_series = 0.01;
-  if (!(std::abs(y) < short_series * x)) return std::atan2(y, x);
-  const double tangent = y / x, squared = tangent * tangent;
-  return tangent * (1 - squared * (1.0 / 3 - squared * (1.0 / 5 - squared * (1.0 / 7))));
-}
-
-/// Below `small_cell` a cell's centroid is that of its flat triangles; arcs up to `longest_arc` are measured
-/// at once.
-constexpr double small_cell = 1e-4, longest_arc = 0.25;  // radians
-
-/// cos(p t) / cos(t) and sin(p t) / (p sin(t)), less 1, as series in t^2 (1 - p^2), up to t = `short_half`.
-class PointOfHalf {
- public:
-  static constexpr double short_half = 0.02;
-
-  constexpr explicit PointOfHalf(double part) : part_(part) {
-    const double p = part * part, q = p * p;
-    even_ = {1.0 / 2, (5 - p) / 24, (61 - 14 * p + q) / 720, (1385 - (323 - (27 - p) * p) * p) / 40320};
-    odd_ = {1.0 / 6, (7 - 3 * p) / 360, (31 - 18 * p + 3 * q) / 15120,
-            (381 - (239 - (55 - 5 * p) * p) * p) / 1814400};
-  }
-
-  struct Shares {
-    double of_middle, of_half;
-  };
-  /// The place of an arc at this part of its half angle, by its chord's middle and half.
-  [[nodiscard]] Shares at(double half_angle) const {
-    if (half_angle >= short_half) {
-      const double angle = part_ * half_angle;
-      return {std::cos(angle) / std::cos(half_angle), std::sin(angle) / std::sin(half_angle)};
-    }
-    const double squared = half_angle * half_angle, lack = (1 - part_ * part_) * squared;
-    const auto sum = [squared](const std::array<double, 4>& series) {
-      return series[0] + squared * (series[1] + squared * (series[2] + squared * series[3]));
-    };
-    return {1 + lack * sum(even_), part_ * (1 + lack * sum(odd_))};
-  }
-
- private:
-  double part_;
-  std::array<double, 4> even_{}, odd_{};
-};
+/// Below this a cell's centroid is that of its flat triangles.
+constexpr double small_cell = 1e-4;  // radians
 
 /// Adds up a cell over short arcs of its border.
 class Sums {
  public:
-  /// `is_small`: the centroid is to be that of flat triangles from the apex.
   Sums(const Direction& apex, bool is_small) : apex_(apex), is_small_(is_small) {}
 
-  /// Returns the arc's angle, which is the same to the last bit from its other end.
+  void add(const ArcShare& share) {
+    solid_ += share.solid;
+    perimeter_ += share.angle;
+    ellipsoid_ += share.ellipsoid;
+    center_ = center_ + share.center;
+  }
+
+  /// Returns the arc's angle.
   double add(const Direction& from, const Direction& to) {
-    const Direction a = from - apex_, b = to - apex_, across = cross(a, b);
-    // Van Oosterom and Strackee 1983.
-    const double solid =
-        2 * angleOf(dot(apex_, across), 1 + dot(apex_, from) + dot(from, to) + dot(to, apex_));
-    solid_ += solid;
-    if (is_small_) center_ = center_ + solid / 3 * (a + b);
-    const Direction turn = cross(from, to);
-    const double sine = lengthOf(turn), angle = angleOf(sine, dot(from, to));
-    perimeter_ += angle;
-    if (sine == 0) return angle;
-    const double longer = angle / sine;
-    if (!is_small_) center_ = center_ + longer / 2 * turn;
-    ellipsoid_ += turn.z * longer * meanDifference(from, to, angle / 2);
-    return angle;
+    const ArcShare share = shareOf(apex_, from, to, is_small_);
+    add(share);
+    return share.angle;
   }
 
   /// Adds an arc of any length piece by piece.
@@ -143,51 +46,34 @@ class Sums {
 
   [[nodiscard]] SphereMeasures measures() const {
     const Direction center = is_small_ ? apex_ + 1 / solid_ * center_ : center_;
-    return {solid_, squaredRadius() * (solid_ + ellipsoid_), perimeter_, normalized(center)};
+    return {solid_, squaredEarthRadius() * (solid_ + ellipsoid_), perimeter_, normalized(center)};
   }
 
  private:
-  /// The mean along an arc of half this angle to each side, by Gauss's rules of two, three and four points.
-  static double meanDifference(const Direction& from, const Direction& to, double half_angle) {
-    // The fourth power of the first, by 270, is rounding, and the sixth of the second, by 31500.
-    constexpr double for_two = 2e-3, for_three = PointOfHalf::short_half;
-    const double middle = 0.5 * (from.z + to.z), half = 0.5 * (to.z - from.z);
-    const auto atBoth = [&](const PointOfHalf& point) {
-      const auto [even, odd] = point.at(half_angle);
-      return difference(even * middle + odd * half) + difference(even * middle - odd * half);
-    };
-    if (half_angle < for_two) {
-      static constexpr PointOfHalf inner(0.57735026918962576);
-      return atBoth(inner) / 2;
-    }
-    if (half_angle < for_three) {
-      static constexpr PointOfHalf center(0), outer(0.77459666924148338);
-      return (8 * difference(center.at(half_angle).of_middle * middle) + 5 * atBoth(outer)) / 18;
-    }
-    static constexpr PointOfHalf inner(0.33998104358485626), outer(0.86113631159405258);
-    return (0.65214515486254614 * atBoth(inner) + 0.34785484513745386 * atBoth(outer)) / 2;
-  }
-
   Direction apex_;
   bool is_small_;
   double solid_ = 0, perimeter_ = 0, ellipsoid_ = 0;
   Direction center_{0, 0, 0};
 };
 
-}  // namespace
+double squareOf(const Direction& a) { return dot(a, a); }
 
-double earthRadius() { return std::sqrt(squaredRadius()); }
-
-SphereMeasures wholeSphere(const Direction& site) { return {4 * pi, 4 * pi * squaredRadius(), 0, site}; }
-
-SphereMeasures measureCell(const SphereSites& sites, const SphereCell& cell, std::span<double> lengths) {
-  constexpr double large = 1;  // radians
-  const auto count = cell.vertex.size();
-  const auto squareOf = [](const Direction& a) { return dot(a, a); };
+/// The square of how far from its site a cell reaches.
+double squaredReachOf(const SphereCell& cell) {
   double reach = 0;
   for (const Direction& vertex : cell.vertex) reach = std::max(reach, squareOf(vertex - cell.direction));
+  return reach;
+}
+
+bool isSmall(double squared_reach) { return squared_reach < small_cell * small_cell; }
+
+/// Measures a cell that has edges. `lengths`, if not empty, become those of its edges.
+SphereMeasures measureCell(const SphereSites& sites, const SphereCell& cell, double squared_reach,
+                           std::span<double> lengths) {
+  constexpr double large = 1;  // radians
+  const auto count = cell.vertex.size();
   Direction apex = cell.direction;
-  if (reach > large * large) {
+  if (squared_reach > large * large) {
     Direction center{0, 0, 0};
     for (std::size_t e = 0; e < count; ++e) {
       const GreatArc arc = arcOf(sites.vectors(), cell, e);
@@ -195,7 +81,7 @@ SphereMeasures measureCell(const SphereSites& sites, const SphereCell& cell, std
     }
     apex = normalized(center);
   }
-  Sums sums(apex, reach < small_cell * small_cell);
+  Sums sums(apex, isSmall(squared_reach));
   for (std::size_t e = 0; e < count; ++e) {
     const auto next = e + 1 < count ? e + 1 : 0;
     const Direction &from = cell.vertex[e], &to = cell.vertex[next];
@@ -205,6 +91,49 @@ SphereMeasures measureCell(const SphereSites& sites, const SphereCell& cell, std
     if (!lengths.empty()) lengths[e] = angle;
   }
   return sums.measures();
+}
+
+}  // namespace
+
+double earthRadius() { return std::sqrt(squaredEarthRadius()); }
+
+void MeasuredCells::add(const SphereCell& cell) {
+  // Between vertices that are so near to the site there is no longer arc.
+  constexpr double near = 0.48 * longest_arc;
+  const auto count = cell.vertex.size();
+  if (has_lengths_) length.resize(length.size() + count);
+  measures.emplace_back();
+  if (count == 0) {
+    constexpr double whole_sphere = 4 * std::numbers::pi;
+    measures.back() = {whole_sphere, whole_sphere * squaredEarthRadius(), 0, cell.direction};
+    return;
+  }
+  const double reach = squaredReachOf(cell);
+  if (reach < near * near && count > 1 && count <= ArcBatch::room) {
+    if (batch_.size() + count > ArcBatch::room) finish();
+    waiting_.push_back({measures.size() - 1, length.size() - (has_lengths_ ? count : 0), count,
+                        cell.direction, isSmall(reach)});
+    batch_.add(cell.direction, cell.vertex, isSmall(reach));
+    return;
+  }
+  const std::span lengths(length);
+  measures.back() = measureCell(sites_, cell, reach, has_lengths_ ? lengths.last(count) : lengths.first(0));
+}
+
+void MeasuredCells::finish() {
+  batch_.measure();
+  std::size_t k = 0;
+  for (const auto& [cell, first_length, count, apex, is_small] : waiting_) {
+    Sums sums(apex, is_small);
+    for (std::size_t e = 0; e < count; ++e, ++k) {
+      const ArcShare share = batch_.share(k);
+      sums.add(share);
+      if (has_lengths_) length[first_length + e] = share.angle;
+    }
+    measures[cell] = sums.measures();
+  }
+  waiting_.clear();
+  batch_.clear();
 }
 
 SphereMeasures measureRings(std::span<const Direction> vertices, std::span<const std::size_t> ends,

@@ -126,10 +126,19 @@ struct PlaneSites {
 
 PlaneSites projectFrom(std::uint32_t from, const SphereSites& sites, int threads) {
   const Direction& center = sites.direction[from];
+  const auto all = sites.direction.size();
   PlaneSites plane;
-  for (std::uint32_t i = 0; i < sites.direction.size(); ++i) {
-    if (sites.direction[i] != center) plane.site.push_back(i);
-  }
+  // At the same time: the time goes into pages.
+  const std::array<std::function<void()>, 3> tasks{[&] {
+                                                     plane.site.reserve(all);
+                                                     for (std::uint32_t i = 0; i < all; ++i) {
+                                                       if (sites.direction[i] != center)
+                                                         plane.site.push_back(i);
+                                                     }
+                                                   },
+                                                   [&] { plane.sites.x.resize(all); },
+                                                   [&] { plane.sites.y.resize(all); }};
+  parallelEach(tasks.size(), 1, threadsForSteps(all, threads), [&](std::size_t k) { tasks[k](); });
   const auto count = plane.site.size();
   plane.sites.x.resize(count);
   plane.sites.y.resize(count);

@@ -1,7 +1,9 @@
 /// The Delaunay triangulation of places on a sphere.
 #pragma once
 
+#include <algorithm>
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -24,6 +26,16 @@ struct SphereMesh {
   /// Otherwise all sites with cells, counter-clockwise around the circle's axis.
   std::vector<std::uint32_t> circle;
 };
+
+/// A triangle's corners from the lowest: the same however the mesh was made.
+template <class Number>
+std::array<Number, 3> fromLowest(const std::array<Number, 3>& corner) {
+  const auto [a, b, c] = corner;
+  const std::array twice{a, b, c, a, b};
+  // Without jumps, which no processor would foresee.
+  const auto first = c < std::min(a, b) ? std::size_t{2} : std::size_t{b < a};
+  return {twice[first], twice[first + 1], twice[first + 2]};
+}
 
 /// Triangulates sites on the unit sphere. It projects the sphere to a plane from one of the sites
 /// (stereographic): circles remain circles, and those through that site become lines. So the triangulation of
