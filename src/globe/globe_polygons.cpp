@@ -372,7 +372,7 @@ double globeDistance(Point from, Point to) {
   return earthRadius() * angleBetween(directionOf(from), directionOf(to));
 }
 
-SpacePoint onGlobe(Point degrees) {
+Point3 onGlobe(Point degrees) {
   const Direction at = directionOf(degrees);
   return {at.x, at.y, at.z};
 }

@@ -85,19 +85,14 @@ std::vector<std::vector<Point>> cutAtTurns(const std::vector<Point>& line);
 /// Kilometers between two places, on the sphere of the Earth's area.
 double globeDistance(Point from, Point to);
 
-/// A point in space; on the unit sphere it stands for a place. z points to the north pole, x to longitude 0.
-struct SpacePoint {
-  double x, y, z;
-  friend auto operator<=>(const SpacePoint&, const SpacePoint&) = default;
-};
-
-SpacePoint onGlobe(Point degrees);
+/// Where a place is on the unit sphere: z points to the north pole, x to longitude 0.
+Point3 onGlobe(Point degrees);
 
 /// The border of a cell on the unit sphere, counter-clockwise, the first point not repeated. Great circles
 /// are in pieces of `longest` degrees or less; both cells of an edge have the same points. Around a site
 /// alone, which has no edges, it is a whole great circle.
 struct GlobeBorder {
-  std::vector<SpacePoint> points;
+  std::vector<Point3> points;
   std::vector<std::size_t> begins;  ///< by edge of the cell: its vertex among the points
 };
 GlobeBorder globeBorder(const Sites& sites, const Diagram& diagram, std::size_t site, double longest);

@@ -1,6 +1,7 @@
 /// Sites, and the domains in which they have cells.
 #pragma once
 
+#include <compare>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
@@ -19,6 +20,11 @@ struct Box {
 struct Point {
   double x, y;
   friend bool operator==(const Point&, const Point&) = default;
+};
+
+struct Point3 {
+  double x, y, z;
+  friend auto operator<=>(const Point3&, const Point3&) = default;
 };
 
 /// The smallest box around at least one point.

@@ -11,14 +11,10 @@
 #include "vorpipe/maps.h"
 #include "vorpipe/result.h"
 #include "vorpipe/run.h"
+#include "vorpipe/sites.h"
 #include "vorpipe/wall.h"
 
 namespace vorpipe {
-
-struct Point3 {
-  double x, y, z;
-  friend auto operator<=>(const Point3&, const Point3&) = default;
-};
 
 /// An axis-parallel box; valid when finite and xmin < xmax, ymin < ymax, zmin < zmax.
 struct Box3 {

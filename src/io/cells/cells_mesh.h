@@ -24,7 +24,7 @@ struct CellsMesh {
   [[nodiscard]] std::span<const std::int32_t> cornersOf(std::size_t face) const {
     return std::span(corners).subspan(offsets[face], offsets[face + 1] - offsets[face]);
   }
-  [[nodiscard]] SpacePoint inSpace(std::size_t point) const {
+  [[nodiscard]] Point3 inSpace(std::size_t point) const {
     return {points[point].x, points[point].y, heights.empty() ? 0 : heights[point]};
   }
 };

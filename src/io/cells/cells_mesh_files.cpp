@@ -18,7 +18,7 @@ namespace {
 
 /// Appends x, y and z.
 template <std::endian order>
-void appendPoint(Bytes& bytes, const SpacePoint& point) {
+void appendPoint(Bytes& bytes, const Point3& point) {
   for (const double number : {point.x, point.y, point.z}) appendNumber<order>(bytes, number);
 }
 
@@ -45,7 +45,7 @@ Result<void> writeObj(ByteSink& sink, const CellsMesh& mesh, bool in_pieces) {
   VORPIPE_TRY(sink.write(in_pieces ? "# Faces are pieces of cells; the group is the cell's site.\n"
                                    : "# Faces are the cells of the sites that have one, in their order.\n"));
   VORPIPE_TRY(writeEach(sink, mesh.points.size(), [&](Bytes& text, std::size_t i) {
-    const SpacePoint point = mesh.inSpace(i);
+    const Point3 point = mesh.inSpace(i);
     print(text, FMT_COMPILE("v {} {} {}\n"), point.x, point.y, point.z);
   }));
   return writeEach(sink, mesh.size(), [&](Bytes& text, std::size_t face) {

@@ -22,13 +22,13 @@ constexpr double piece_degrees = 5;
 /// Of edges: those of a cell that is one face are no longer, so that its neighbors have them whole.
 constexpr double longest_side = 2.01 * piece_degrees;
 
-double dot(const SpacePoint& a, const SpacePoint& b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
+double dot(const Point3& a, const Point3& b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
 
-SpacePoint cross(const SpacePoint& a, const SpacePoint& b) {
+Point3 cross(const Point3& a, const Point3& b) {
   return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
 }
 
-SpacePoint normalized(const SpacePoint& a) {
+Point3 normalized(const Point3& a) {
   const double length = std::sqrt(dot(a, a));
   return {a.x / length, a.y / length, a.z / length};
 }
@@ -36,37 +36,37 @@ SpacePoint normalized(const SpacePoint& a) {
 /// The plane that touches the sphere about amid some points, where great circles are lines (gnomonic).
 class TouchingPlane {
  public:
-  explicit TouchingPlane(std::span<const SpacePoint> points) : center_(points.front()) {
+  explicit TouchingPlane(std::span<const Point3> points) : center_(points.front()) {
     // Badoiu and Clarkson 2003, "Smaller core-sets for balls": a cap around all of them is hardly larger.
     constexpr int steps = 60;
     for (int step = 2; step < steps; ++step) {
-      const SpacePoint& far = *std::ranges::min_element(points, {}, [&](auto& p) { return dot(center_, p); });
+      const Point3& far = *std::ranges::min_element(points, {}, [&](auto& p) { return dot(center_, p); });
       const double part = 1.0 / step;
       center_ = normalized({center_.x + part * (far.x - center_.x), center_.y + part * (far.y - center_.y),
                             center_.z + part * (far.z - center_.z)});
     }
     const bool is_level = std::abs(center_.z) < 0.5;
-    right_ = normalized(cross(is_level ? SpacePoint{0, 0, 1} : SpacePoint{1, 0, 0}, center_));
+    right_ = normalized(cross(is_level ? Point3{0, 0, 1} : Point3{1, 0, 0}, center_));
     up_ = cross(center_, right_);
   }
 
-  [[nodiscard]] Point at(const SpacePoint& p) const {
+  [[nodiscard]] Point at(const Point3& p) const {
     const double depth = dot(center_, p);
     return {dot(right_, p) / depth, dot(up_, p) / depth};
   }
   /// The cosine of the angle to the point that is farthest from the center.
-  [[nodiscard]] double reach(std::span<const SpacePoint> points) const {
+  [[nodiscard]] double reach(std::span<const Point3> points) const {
     double nearest = 1;
-    for (const SpacePoint& p : points) nearest = std::min(nearest, dot(center_, p));
+    for (const Point3& p : points) nearest = std::min(nearest, dot(center_, p));
     return nearest;
   }
 
  private:
-  SpacePoint center_, right_{}, up_{};
+  Point3 center_, right_{}, up_{};
 };
 
 struct PlaceHash {
-  std::size_t operator()(const SpacePoint& p) const {
+  std::size_t operator()(const Point3& p) const {
     const std::hash<double> of;
     return (of(p.x) * 31 + of(p.y)) * 31 + of(p.z);
   }
@@ -84,7 +84,7 @@ class GlobeFaces {
     if (diagram_.status[site] != Status::ok) return;
     const Cell cell = diagram_.cell(site);
     const Point centroid = diagram_.centroid[site];
-    const SpacePoint center = onGlobe(centroid);
+    const Point3 center = onGlobe(centroid);
     double nearest = 1;
     for (const Point vertex : cell.vertices()) nearest = std::min(nearest, dot(center, onGlobe(vertex)));
     if (cell.edges() > 2 && nearest >= std::cos(piece_degrees * degree)) {
@@ -140,7 +140,7 @@ class GlobeFaces {
 
   /// A polygon with holes: the rings' points, and their numbers in the mesh.
   struct Piece {
-    std::vector<SpacePoint> points;
+    std::vector<Point3> points;
     std::vector<std::uint32_t> numbers;
     std::vector<std::uint64_t> ring_starts;
 
@@ -151,7 +151,7 @@ class GlobeFaces {
     }
   };
 
-  static bool isHole(std::span<const SpacePoint> ring) {
+  static bool isHole(std::span<const Point3> ring) {
     const TouchingPlane plane(ring);
     double sum = 0;
     const Point first = plane.at(ring[0]);
@@ -171,7 +171,7 @@ class GlobeFaces {
       return true;
     }
     Diagram flat;
-    for (const SpacePoint& point : piece.points) flat.vertices.push_back(plane.at(point));
+    for (const Point3& point : piece.points) flat.vertices.push_back(plane.at(point));
     flat.status = {Status::ok};
     flat.cell_offsets = {0, piece.points.size()};
     flat.neighbors.assign(piece.points.size(), static_cast<std::int64_t>(Wall::outline));
@@ -225,19 +225,19 @@ class GlobeFaces {
   std::uint32_t middleOf(std::uint32_t a, std::uint32_t b, std::map<Side, std::uint32_t>& middles) {
     const auto [known, is_new] = middles.try_emplace(std::minmax(a, b), 0);
     if (is_new) {
-      const SpacePoint p = mesh_.inSpace(a), q = mesh_.inSpace(b);
+      const Point3 p = mesh_.inSpace(a), q = mesh_.inSpace(b);
       known->second = addPoint(normalized({p.x + q.x, p.y + q.y, p.z + q.z}));
     }
     return known->second;
   }
 
-  std::uint32_t addPoint(const SpacePoint& at) {
+  std::uint32_t addPoint(const Point3& at) {
     mesh_.points.push_back({at.x, at.y});
     mesh_.heights.push_back(at.z);
     return static_cast<std::uint32_t>(mesh_.points.size() - 1);
   }
   /// A point of an edge, which two cells have.
-  std::uint32_t between(const SpacePoint& at) {
+  std::uint32_t between(const Point3& at) {
     const auto [known, is_new] = between_.try_emplace(at, 0);
     if (is_new) known->second = addPoint(at);
     return known->second;
@@ -249,8 +249,8 @@ class GlobeFaces {
   }
 
   /// Fills a border, counter-clockwise around a center, by rings of points between both.
-  void fill(std::uint32_t site, const SpacePoint& center, const std::vector<std::uint32_t>& border) {
-    std::vector<SpacePoint> ends;
+  void fill(std::uint32_t site, const Point3& center, const std::vector<std::uint32_t>& border) {
+    std::vector<Point3> ends;
     double farthest = 0;
     for (const auto point : border) {
       ends.push_back(mesh_.inSpace(point));
@@ -278,7 +278,7 @@ class GlobeFaces {
   }
 
   /// The place at a part of the way from one to another.
-  static SpacePoint along(const SpacePoint& from, const SpacePoint& to, double part) {
+  static Point3 along(const Point3& from, const Point3& to, double part) {
     const double angle = std::acos(std::clamp(dot(from, to), -1.0, 1.0)), sine = std::sin(angle);
     const double of_from = std::sin((1 - part) * angle) / sine, of_to = std::sin(part * angle) / sine;
     return {of_from * from.x + of_to * to.x, of_from * from.y + of_to * to.y,
@@ -288,7 +288,7 @@ class GlobeFaces {
   const Sites& sites_;
   const Diagram& diagram_;
   std::vector<std::uint32_t> vertex_of_;  ///< by position in Diagram::vertices
-  std::unordered_map<SpacePoint, std::uint32_t, PlaceHash> between_;
+  std::unordered_map<Point3, std::uint32_t, PlaceHash> between_;
   CellsMesh& mesh_;
 };
 

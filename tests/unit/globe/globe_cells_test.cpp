@@ -223,14 +223,14 @@ TEST(GlobeLines, AreGreatCirclesCutAt180Degrees) {
 TEST(GlobeLines, AreInBothCells) {
   const Sites sites = randomOnGlobe(20, 8);
   const Diagram cells = cellsOf(sites, ofGlobe());
-  std::vector<SpacePoint> own, others;
+  std::vector<Point3> own, others;
   for (const Cell cell : cells) {
     const GlobeBorder border = globeBorder(sites, cells, cell.index(), 5);
     EXPECT_EQ(border.begins.size(), cell.edges());
     (cell.index() == 0 ? own : others)
         .insert((cell.index() == 0 ? own : others).end(), border.points.begin(), border.points.end());
   }
-  for (const SpacePoint& point : own) {
+  for (const Point3& point : own) {
     EXPECT_THAT(others, Contains(point));
     EXPECT_NEAR(std::hypot(point.x, point.y, point.z), 1, 1e-15);
   }
