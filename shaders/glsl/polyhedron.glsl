@@ -3,7 +3,7 @@
 // One cell at a time, its vertices side by side: in the lanes of a subgroup on a device, in those of a vector in C++.
 // Its includer defines before it
 //   SLOTS, LANES             64 slots for vertices, and how many of them stand side by side
-//   lane_real                float on a device, a vector of LANES floats in C++: LANES slots
+//   REAL, lane_real          a number: float on a device, float or double in C++; and LANES of them, a vector in C++
 //   MASK                     64 truths, one for each slot, as bits; with & | ~
 //   NO_SLOT, SLOT(k)         the mask without any bit, and the one with the bit of slot k alone
 //   ANY_OF(m), COUNT(m), LOWEST(m)
@@ -11,7 +11,7 @@
 //   LESS(a, b, block)        the mask of those of the slots block * LANES .. in which a lane_real is less than another
 //   BLOCKS(m)                how many blocks of LANES slots it takes from slot 0 to the highest of a mask
 //   LOAD(array, block), STORE(array, block, value)
-//                            LANES elements of an array of SLOTS floats
+//                            LANES elements of an array of SLOTS numbers
 //   NO_REAL, GREATER(a, b)   a lane_real of zeros, and the greater one in each lane
 //   GREATEST(value)          the greatest of all lanes
 //   INOUT(T)                 parameter mode
@@ -22,10 +22,10 @@
 // other end of the edge between faces a and b, seen from vertex u, is the only bit of on[a] & on[b] besides u.
 
 struct Polyhedron {
-    float x[SLOTS];
-    float y[SLOTS];
-    float z[SLOTS];
-    float beyond[SLOTS];  // how far each vertex lies beyond the last plane that was tried
+    REAL x[SLOTS];
+    REAL y[SLOTS];
+    REAL z[SLOTS];
+    REAL beyond[SLOTS];  // how far each vertex lies beyond the last plane that was tried
     MASK on[SLOTS];       // by face
     int name[SLOTS];      // by face
     int first[SLOTS];     // by vertex: its faces
@@ -37,7 +37,7 @@ struct Polyhedron {
     bool overflow;  // a vertex or a face found no free slot
 };
 
-void addVertex(INOUT(Polyhedron) c, int slot, int a, int b, int d, float px, float py, float pz) {
+void addVertex(INOUT(Polyhedron) c, int slot, int a, int b, int d, REAL px, REAL py, REAL pz) {
     c.x[slot] = px;
     c.y[slot] = py;
     c.z[slot] = pz;
@@ -50,11 +50,11 @@ void addVertex(INOUT(Polyhedron) c, int slot, int a, int b, int d, float px, flo
 }
 
 // The cell before any cut: the box, relative to the site. Faces 0 to 5 are its walls, with the names -1 to -6.
-void beginPolyhedron(INOUT(Polyhedron) c, float xmin, float ymin, float zmin, float xmax, float ymax, float zmax) {
+void beginPolyhedron(INOUT(Polyhedron) c, REAL xmin, REAL ymin, REAL zmin, REAL xmax, REAL ymax, REAL zmax) {
     for (int k = 0; k < SLOTS; k++) {
-        c.x[k] = 0.0f;
-        c.y[k] = 0.0f;
-        c.z[k] = 0.0f;
+        c.x[k] = REAL(0);
+        c.y[k] = REAL(0);
+        c.z[k] = REAL(0);
     }
     for (int w = 0; w < 6; w++) {
         c.on[w] = NO_SLOT;
@@ -78,7 +78,7 @@ void beginPolyhedron(INOUT(Polyhedron) c, float xmin, float ymin, float zmin, fl
 }
 
 // The vertices beyond the plane p . (dx, dy, dz) = h.
-MASK verticesBeyond(INOUT(Polyhedron) c, float dx, float dy, float dz, float h) {
+MASK verticesBeyond(INOUT(Polyhedron) c, REAL dx, REAL dy, REAL dz, REAL h) {
     MASK removed = NO_SLOT;
     int blocks = BLOCKS(c.live);
     for (int k = 0; k < blocks; k++) {
@@ -90,7 +90,7 @@ MASK verticesBeyond(INOUT(Polyhedron) c, float dx, float dy, float dz, float h) 
 }
 
 // The square of the distance of the farthest vertex.
-float squaredRadius(INOUT(Polyhedron) c) {
+REAL squaredRadius(INOUT(Polyhedron) c) {
     lane_real most = NO_REAL;
     int blocks = BLOCKS(c.live);
     for (int k = 0; k < blocks; k++) {
@@ -164,7 +164,7 @@ void cutOff(INOUT(Polyhedron) c, MASK removed, int name) {
         added = added | SLOT(slot);
         int u = gone[k];
         int v = kept[k];
-        float t = c.beyond[v] / (c.beyond[v] - c.beyond[u]);
+        REAL t = c.beyond[v] / (c.beyond[v] - c.beyond[u]);
         addVertex(c, slot, a_of[k], b_of[k], face, c.x[v] + t * (c.x[u] - c.x[v]), c.y[v] + t * (c.y[u] - c.y[v]),
                   c.z[v] + t * (c.z[u] - c.z[v]));
     }
@@ -174,9 +174,9 @@ void cutOff(INOUT(Polyhedron) c, MASK removed, int name) {
         c.used = ANY_OF(c.on[c.first[u]]) ? c.used : c.used & ~SLOT(c.first[u]);
         c.used = ANY_OF(c.on[c.second[u]]) ? c.used : c.used & ~SLOT(c.second[u]);
         c.used = ANY_OF(c.on[c.third[u]]) ? c.used : c.used & ~SLOT(c.third[u]);
-        c.x[u] = 0.0f;
-        c.y[u] = 0.0f;
-        c.z[u] = 0.0f;
+        c.x[u] = REAL(0);
+        c.y[u] = REAL(0);
+        c.z[u] = REAL(0);
     }
     c.live = (c.live & ~removed) | added;
 }

@@ -2,6 +2,7 @@
 #include <utility>
 #include <vector>
 
+#include "base/parallel.h"
 #include "base/stopwatch.h"
 #include "base/try.h"
 #include "session/session_state.h"
@@ -20,15 +21,16 @@ Result<Diagram3> findSpaceCells(std::span<const Point3> sites, const Cells3Optio
   const Stopwatch clock;
   const space::SiteBins bins = space::binSites(sites, options.domain, threads);
   report.time_ms.order = clock.milliseconds();
-  VORPIPE_LET(found, space::certify(bins, options.detail == Detail3::polyhedra, options.progress, threads));
+  space::Records records(bins.places(), 1 / bins.scale, bins.input, sites, options.detail, diagram);
+  VORPIPE_VAR(found, space::certify(bins, records, options.progress, threads));
   std::vector<Status> status(sites.size(), Status::duplicate);
-  for (std::size_t k = 0; k < bins.sites.size(); ++k) {
+  constexpr std::size_t grain = 4096;
+  parallelEach(bins.sites.size(), grain, threads, [&](std::size_t k) {
     status[bins.input[k]] = found.rows[k].faces > 0 ? Status::ok : Status::empty;
-  }
-  const space::ProvedCells proved{bins.places(), 1 / bins.scale, found.rows,       bins.input,
-                                  found.tied,    found.measures, found.face_areas, found.careful,
-                                  sites,         status,         bins.owner,       found.moments};
-  VORPIPE_TRY(space::writeDiagram(proved, options.detail, threads, diagram));
+  });
+  const space::ProvedCells proved{bins.places(),    1 / bins.scale, found.rows, bins.input, found.tied,
+                                  found.unmeasured, sites,          status,     bins.owner};
+  VORPIPE_TRY(space::writeDiagram(proved, records, options.detail, threads, diagram));
   report.time_ms.cells = clock.milliseconds() - report.time_ms.order;
   for (const Status of_site : diagram.status) {
     report.ok += of_site == Status::ok ? 1 : 0;

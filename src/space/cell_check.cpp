@@ -16,36 +16,38 @@ namespace {
 /// Faces of a cell with fewer than 128 vertices.
 constexpr std::size_t most_small = 64;
 constexpr std::size_t vector_size = 8;
-constexpr std::int32_t no_vertex = -1;
 
-/// By two faces of a cell of any size: the vertex where the second follows the first.
+/// What is known of two faces that follow each other around a cell: the face that follows these, and the
+/// vertex of the three. Of cells of any size.
 class LargeIndex {
  public:
-  explicit LargeIndex(std::size_t faces) : seen_(faces, 0) {}
-  /// Whether face b was seen on the ring of face a before. Rings come one after another.
-  bool again(std::size_t a, std::size_t b) { return std::exchange(seen_[b], a + 1) == a + 1; }
-  std::int32_t& at(std::size_t a, std::size_t b) {
-    return map_.try_emplace(std::uint64_t{a} << 32 | b, no_vertex).first->second;
-  }
+  struct Entry {
+    std::size_t next, vertex;
+  };
+  static constexpr std::size_t none = SIZE_MAX;
+  explicit LargeIndex(std::size_t) {}
+  std::size_t& next(std::size_t a, std::size_t b) { return at(a, b).next; }
+  std::size_t& vertex(std::size_t a, std::size_t b) { return at(a, b).vertex; }
 
  private:
-  std::unordered_map<std::uint64_t, std::int32_t> map_;
-  std::vector<std::size_t> seen_;
+  Entry& at(std::size_t a, std::size_t b) {
+    return map_.try_emplace(std::uint64_t{a} << 32 | b, Entry{none, none}).first->second;
+  }
+  std::unordered_map<std::uint64_t, Entry> map_;
 };
 
 /// The same for few faces.
 class SmallIndex {
  public:
-  explicit SmallIndex(std::size_t faces) : faces_(faces) { std::memset(table_, no_vertex, faces * faces); }
-  bool again(std::size_t a, std::size_t b) {
-    return std::exchange(seen_[b], static_cast<std::uint8_t>(a + 1)) == a + 1;
-  }
-  std::int8_t& at(std::size_t a, std::size_t b) { return table_[a * faces_ + b]; }
+  static constexpr std::uint8_t none = 255;
+  explicit SmallIndex(std::size_t faces) : faces_(faces) { std::memset(next_, none, faces * faces); }
+  std::uint8_t& next(std::size_t a, std::size_t b) { return next_[a * faces_ + b]; }
+  /// Undefined where none was set.
+  std::uint8_t& vertex(std::size_t a, std::size_t b) { return vertex_[a * faces_ + b]; }
 
  private:
   std::size_t faces_;
-  std::int8_t table_[most_small * most_small];
-  std::uint8_t seen_[most_small] = {};
+  std::uint8_t next_[most_small * most_small], vertex_[most_small * most_small];
 };
 
 }  // namespace
@@ -143,36 +145,41 @@ bool CellCheck::takeRow() {
 }
 
 /// Takes vertices and edges out of the rings: a vertex is a cyclic triple of faces, the same in three rings.
+/// Branches that cannot be foreseen would take longer than all else.
 template <class Index, class Begin, class Entry>
-bool CellCheck::takeRingsOf(Index& vertex_of, const Begin* begin, const Entry* rings) {
-  using Vertex = std::remove_reference_t<decltype(vertex_of.at(0, 0))>;
+bool CellCheck::takeRingsOf(Index& index, const Begin* begin, const Entry* rings) {
+  using Number = std::remove_reference_t<decltype(index.next(0, 0))>;
   auto *const first = corners_.data(), *const second = first + vertex_room_,
               *const third = second + vertex_room_;
-  const std::size_t faces = row_.faces;
+  const std::size_t faces = row_.faces, most = row_.edge_ends / 3;
   std::size_t vertices = 0, edges = 0;
+  bool wrong = begin[faces] != row_.edge_ends;
   for (std::size_t a = 0; a < faces; ++a) {
     const std::size_t ring_end = begin[a + 1];
     if (ring_end < begin[a] + std::size_t{3} || ring_end > row_.edge_ends) return false;
+    std::size_t b = rings[begin[a]];
     for (std::size_t k = begin[a]; k < ring_end; ++k) {
-      const std::size_t b = rings[k], c = rings[k + 1 == ring_end ? begin[a] : k + 1];
-      if (b >= faces || c >= faces || a == b || b == c || c == a || vertex_of.again(a, b)) return false;
-      const Vertex here = vertex_of.at(a, b);
-      if (here == no_vertex) {
-        if (3 * vertices == row_.edge_ends) return false;
-        Vertex &on_b = vertex_of.at(b, c), &on_c = vertex_of.at(c, a);
-        if (on_b != no_vertex || on_c != no_vertex) return false;
-        first[vertices] = static_cast<std::int32_t>(a);
-        second[vertices] = static_cast<std::int32_t>(b);
-        third[vertices] = static_cast<std::int32_t>(c);
-        vertex_of.at(a, b) = on_b = on_c = static_cast<Vertex>(vertices++);
-        continue;
-      }
-      // The vertex was found on another of its faces: it must be of these three, and follow them the same
-      // way.
-      if (vertex_of.at(b, c) != here || vertex_of.at(c, a) != here) return false;
+      const std::size_t c = rings[k + 1 == ring_end ? begin[a] : k + 1];
+      if (b >= faces || c >= faces || vertices > most) return false;
+      wrong |= a == b || b == c || c == a || index.next(a, b) != Index::none;
+      index.next(a, b) = static_cast<Number>(c);
+      first[vertices] = static_cast<std::int32_t>(a);
+      second[vertices] = static_cast<std::int32_t>(b);
+      third[vertices] = static_cast<std::int32_t>(c);
+      vertices += a < b && a < c ? 1 : 0;
+      b = c;
     }
   }
-  if (3 * vertices != row_.edge_ends || begin[faces] != row_.edge_ends) return false;
+  // A third of all pairs of faces that follow each other begin a vertex with its least face. If each of these
+  // follows in two more rings, all pairs belong to one.
+  if (wrong || 3 * vertices != row_.edge_ends) return false;
+  for (std::size_t v = 0; v < vertices; ++v) {
+    const auto a = static_cast<std::size_t>(first[v]), b = static_cast<std::size_t>(second[v]),
+               c = static_cast<std::size_t>(third[v]);
+    wrong |= index.next(b, c) != a || index.next(c, a) != b;
+    index.vertex(a, b) = index.vertex(b, c) = index.vertex(c, a) = static_cast<Number>(v);
+  }
+  if (wrong) return false;
   auto *const edge_a = edges_.data(), *const edge_b = edge_a + edge_room_, *const from = edge_b + edge_room_,
               *const to = from + edge_room_;
   for (std::size_t a = 0; a < faces; ++a) {
@@ -180,8 +187,8 @@ bool CellCheck::takeRingsOf(Index& vertex_of, const Begin* begin, const Entry* r
       const std::size_t b = rings[k];
       edge_a[edges] = static_cast<std::int32_t>(a);
       edge_b[edges] = static_cast<std::int32_t>(b);
-      from[edges] = vertex_of.at(a, b);
-      to[edges] = vertex_of.at(b, a);
+      from[edges] = static_cast<std::int32_t>(index.vertex(a, b));
+      to[edges] = static_cast<std::int32_t>(index.vertex(b, a));
       edges += b > a ? 1 : 0;
     }
   }
@@ -211,7 +218,8 @@ bool CellCheck::takeRings() {
                         : takeRingsOf(index, row_.large_begin, row_.large);
 }
 
-/// Whether the ring of each face is that of the neighbor's face, reversed.
+/// Whether each neighbor has this cell for a neighbor, and the ring of that face is this face's, reversed. Of
+/// two cells the one of the lesser site compares rings.
 bool CellCheck::isGlued(Verdict& verdict) const {
   for (std::size_t f = 0; f < row_.faces; ++f) {
     const Label label = row_.neighbor[f];
@@ -219,7 +227,7 @@ bool CellCheck::isGlued(Verdict& verdict) const {
     const Row other = rows_[static_cast<std::size_t>(label)];
     const std::size_t face = other.faceOf(site_);
     bool same = face < other.faces;
-    if (same) {
+    if (same && site_ < label) {
       const Ring mine = row_.ring(f), theirs = other.ring(face);
       const std::size_t n = mine.size();
       same = n == theirs.size() && n > 0;
@@ -243,8 +251,8 @@ bool CellCheck::isGlued(Verdict& verdict) const {
 }
 
 /// Decides exactly what double does not prove.
-bool CellCheck::provedExactly(Verdict& verdict) const {
-  const auto isLeast = [this](Label label) { return isWallLabel(label) || site_ < label; };
+bool CellCheck::provedExactly(Verdict& verdict, bool all) const {
+  const auto isLeast = [this, all](Label label) { return all || isWallLabel(label) || site_ < label; };
   const auto label = [this](std::int32_t face) { return row_.neighbor[face]; };
   for (std::size_t v = 0; v < job_.vertices; ++v) {
     if (job_.turned[v] == 0) continue;
@@ -271,7 +279,7 @@ bool CellCheck::provedExactly(Verdict& verdict) const {
   return true;
 }
 
-Verdict CellCheck::check(Label site, bool made_exactly) {
+Verdict CellCheck::check(Label site, Signs signs) {
   Verdict verdict;
   site_ = site;
   row_ = rows_[static_cast<std::size_t>(site)];
@@ -293,8 +301,8 @@ Verdict CellCheck::check(Label site, bool made_exactly) {
     verdict.nearest = static_cast<std::uint32_t>(row_.neighbor[f]);
     verdict.distance = distance_[f];
   }
-  if (!isGlued(verdict)) return verdict;
-  if (!made_exactly && (job_.tied || job_.unsure)) provedExactly(verdict);
+  if (signs != Signs::all && !isGlued(verdict)) return verdict;
+  if (signs != Signs::none && (job_.tied || job_.unsure)) provedExactly(verdict, signs == Signs::all);
   return verdict;
 }
 

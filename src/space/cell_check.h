@@ -34,16 +34,21 @@ struct Verdict {
   bool unsure = false;  ///< a vertex is too badly conditioned for measures
 };
 
+/// Which signs of a cell are proved exactly where double does not prove them.
+enum class Signs : std::uint8_t {
+  of_least,  ///< those of vertices and edges of which the cell is the least: others do so for the rest
+  all,       ///< all, of a cell without neighbors: it is not expected to be glued to any
+  none,      ///< none: it was made by exact signs, of all sites that can cut it
+};
+
 /// Checks cells one after another; one for each thread.
 class CellCheck {
  public:
   /// `moments`: whether secondMoments() are wanted.
   CellCheck(const Places& places, const Rows& rows, bool moments = false);
 
-  /// Checks the cell of a site that has a row. Signs of a vertex or edge that double does not prove are left
-  /// to the least of its sites; unless its cell was made by these signs, of all sites that can cut it, so
-  /// that no vertex or edge can break them.
-  Verdict check(Label site, bool made_exactly = false);
+  /// Checks the cell of a site that has a row.
+  Verdict check(Label site, Signs signs = Signs::of_least);
 
   // Of the last cell, if it is not broken and not unsure.
   [[nodiscard]] CellMeasures measures() const;
@@ -55,9 +60,9 @@ class CellCheck {
   bool takeRow();
   bool takeRings();
   template <class Index, class Begin, class Entry>
-  bool takeRingsOf(Index& vertex_of, const Begin* begin, const Entry* rings);
+  bool takeRingsOf(Index& index, const Begin* begin, const Entry* rings);
   [[nodiscard]] bool isGlued(Verdict& verdict) const;
-  bool provedExactly(Verdict& verdict) const;
+  bool provedExactly(Verdict& verdict, bool all) const;
   void reserve(std::size_t faces, std::size_t edge_ends);
 
   const Places& places_;

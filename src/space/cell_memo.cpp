@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
-#include <utility>
+#include <unordered_map>
 
 #include "base/double_double.h"
 #include "space/relative.h"
@@ -19,30 +19,58 @@ std::uint64_t mixed(std::uint64_t bits) {
 }  // namespace
 
 void ExactRow::set(std::span<const std::array<Label, 3>> corners) {
+  constexpr std::size_t few = 64;
   neighbors.clear();
   vertices.clear();
-  for (const auto& corner : corners) neighbors.insert(neighbors.end(), corner.begin(), corner.end());
-  std::ranges::sort(neighbors);
-  neighbors.erase(std::ranges::unique(neighbors).begin(), neighbors.end());
-  for (const auto& corner : corners) {
-    std::array<std::uint32_t, 3> faces{};
-    for (std::size_t e = 0; e < 3; ++e) {
-      faces[e] =
-          static_cast<std::uint32_t>(std::ranges::lower_bound(neighbors, corner[e]) - neighbors.begin());
+  std::unordered_map<Label, std::uint32_t> faces;  // of cells of many
+  const auto faceOf = [&](Label label) {
+    if (neighbors.size() <= few) {
+      const auto at = std::ranges::find(neighbors, label);
+      if (at != neighbors.end()) return static_cast<std::uint32_t>(at - neighbors.begin());
+      neighbors.push_back(label);
+      return static_cast<std::uint32_t>(neighbors.size() - 1);
     }
-    vertices.push_back(faces);
+    if (faces.empty()) {
+      for (std::uint32_t f = 0; f < neighbors.size(); ++f) faces.emplace(neighbors[f], f);
+    }
+    const auto [at, is_new] = faces.try_emplace(label, static_cast<std::uint32_t>(neighbors.size()));
+    if (is_new) neighbors.push_back(label);
+    return at->second;
+  };
+  for (const auto& [a, b, c] : corners) vertices.push_back({faceOf(a), faceOf(b), faceOf(c)});
+}
+
+CellMemo::CellMemo(const SiteBins& bins) : bins_(bins) {
+  constexpr std::size_t most = std::size_t{1} << 16;
+  table_.resize(std::bit_ceil(std::min(bins.sites.size(), most)));
+}
+
+/// Asking takes a tenth of the time of an exact cell.
+bool CellMemo::isWorthAsking() {
+  constexpr std::uint32_t round = 512, least_found = 64, most_passed = 16384;
+  if (pass_over_ > 0) {
+    --pass_over_;
+    return false;
   }
+  if (asked_ == round) {
+    next_pass_ = found_of_asked_ >= least_found ? 0 : std::min(most_passed, std::max(round, 2 * next_pass_));
+    pass_over_ = next_pass_;
+    asked_ = found_of_asked_ = 0;
+    if (pass_over_ > 0) return false;
+  }
+  return true;
 }
 
 /// Finds the sites within reach, and the walls within half of it: no point of the cell is farther. Returns
 /// false if there are too many.
 bool CellMemo::lookAround(Label site) {
-  from_ = bins_.sites[static_cast<std::size_t>(site)];
+  site_ = site;
+  const Point3& from = bins_.sites[static_cast<std::size_t>(site)];
   around_.clear();
   key_ = 0;
   for (int wall = 0; wall < walls; ++wall) {
     const Label label = labelOfWall(wall);
-    const double distance = difference(label).x;
+    const double distance = difference(site, label).x;
     if (distance > 0 && 4 * distance * distance > squared_reach_ * (1 + 1e-9)) continue;
     const std::uint64_t key =
         mixed(std::bit_cast<std::uint64_t>(distance) + static_cast<std::uint64_t>(wall));
@@ -52,9 +80,9 @@ bool CellMemo::lookAround(Label site) {
   // What is near by its rounded distance is in these bins: more than rounding can take is added.
   const double reach = std::sqrt(squared_reach_) * (1 + 1e-9);
   const auto margin = [reach](double at) { return reach + 0x1p-50 * std::abs(at); };
-  const double x = margin(from_.x), y = margin(from_.y), z = margin(from_.z);
-  const auto low = bins_.binOf({from_.x - x, from_.y - y, from_.z - z});
-  const auto high = bins_.binOf({from_.x + x, from_.y + y, from_.z + z});
+  const double x = margin(from.x), y = margin(from.y), z = margin(from.z);
+  const auto low = bins_.binOf({from.x - x, from.y - y, from.z - z});
+  const auto high = bins_.binOf({from.x + x, from.y + y, from.z + z});
   for (int bin_z = low[2]; bin_z <= high[2]; ++bin_z) {
     for (int bin_y = low[1]; bin_y <= high[1]; ++bin_y) {
       const std::size_t line = (static_cast<std::size_t>(bin_z) * static_cast<std::size_t>(bins_.count[1]) +
@@ -63,7 +91,7 @@ bool CellMemo::lookAround(Label site) {
       const std::uint32_t last = bins_.begin[line + static_cast<std::size_t>(high[0]) + 1];
       for (std::uint32_t j = bins_.begin[line + static_cast<std::size_t>(low[0])]; j < last; ++j) {
         const Point3& p = bins_.sites[j];
-        const double dx = p.x - from_.x, dy = p.y - from_.y, dz = p.z - from_.z;
+        const double dx = p.x - from.x, dy = p.y - from.y, dz = p.z - from.z;
         if (!(dx * dx + dy * dy + dz * dz <= squared_reach_) || static_cast<Label>(j) == site) continue;
         const auto bits = [](double number) { return std::bit_cast<std::uint64_t>(number); };
         const std::uint64_t key = mixed(mixed(mixed(bits(dx)) + bits(dy)) + bits(dz));
@@ -82,16 +110,17 @@ bool CellMemo::lookAround(Label site) {
 }
 
 /// Of a wall its distance; what stands beside is of no site.
-CellMemo::Difference CellMemo::difference(Label to) const {
+CellMemo::Difference CellMemo::difference(Label from_site, Label to) const {
+  const Point3& from = bins_.sites[static_cast<std::size_t>(from_site)];
   if (isWallLabel(to)) {
     const int wall = wallOf(to);
-    const double at = coordinate(from_, axisOf(wall)), offset = bins_.places().offset(wall);
+    const double at = coordinate(from, axisOf(wall)), offset = bins_.places().offset(wall);
     const auto out = isUpper(wall) ? DoubleDouble::sum(offset, -at) : DoubleDouble::sum(at, -offset);
     return {out.high, static_cast<double>(wall), HUGE_VAL, out.low, 0, 0};
   }
   const Point3& p = bins_.sites[static_cast<std::size_t>(to)];
-  const auto x = DoubleDouble::sum(p.x, -from_.x), y = DoubleDouble::sum(p.y, -from_.y),
-             z = DoubleDouble::sum(p.z, -from_.z);
+  const auto x = DoubleDouble::sum(p.x, -from.x), y = DoubleDouble::sum(p.y, -from.y),
+             z = DoubleDouble::sum(p.z, -from.z);
   return {x.high, y.high, z.high, x.low, y.low, z.low};
 }
 
@@ -101,36 +130,30 @@ bool CellMemo::isSame(const Known& known) const {
     return false;
   }
   bool same = true;
-  for (std::size_t k = 0; k < around_.size() && same; ++k)
-    same = known.around[k] == difference(around_[k].site);
+  for (std::size_t k = 0; k < around_.size() && same; ++k) {
+    const Label mine = around_[k].label, its = known.around[k];
+    same = isWallLabel(mine) == isWallLabel(its) && difference(site_, mine) == difference(known.site, its);
+  }
   return same;
 }
 
 bool CellMemo::find(Label site, ExactRow& row) {
-  constexpr std::uint32_t first_asked = 1024, least_part = 4;
-  usable_ = squared_reach_ > 0 && (asked_ < first_asked || found_ > asked_ / least_part) && lookAround(site);
+  usable_ = squared_reach_ > 0 && isWorthAsking() && lookAround(site);
   if (!usable_) return false;
   ++asked_;
-  const Known& known = table_[(key_ >> 32U) % table_size];
+  const Known& known = placeOf(key_);
   if (!isSame(known)) return false;
+  ++found_of_asked_;
   ++found_;
   write(known, row);
   return true;
 }
 
-void CellMemo::write(const Known& known, ExactRow& row) {
-  by_label_.clear();
-  for (std::uint32_t f = 0; f < known.faces.size(); ++f)
-    by_label_.emplace_back(around_[known.faces[f]].site, f);
-  std::sort(by_label_.begin(), by_label_.end());
-  std::array<std::uint8_t, most_around> rank{};
+void CellMemo::write(const Known& known, ExactRow& row) const {
   row.neighbors.clear();
-  for (const auto& [label, f] : by_label_) {
-    rank[f] = static_cast<std::uint8_t>(row.neighbors.size());
-    row.neighbors.push_back(label);
-  }
+  for (const auto face : known.faces) row.neighbors.push_back(around_[face].label);
   row.vertices.clear();
-  for (const auto& v : known.vertices) row.vertices.push_back({rank[v[0]], rank[v[1]], rank[v[2]]});
+  for (const auto& [a, b, c] : known.vertices) row.vertices.push_back({a, b, c});
 }
 
 void CellMemo::keep(const ExactRow& row, double squared_reach) {
@@ -140,20 +163,21 @@ void CellMemo::keep(const ExactRow& row, double squared_reach) {
       squared_reach_ = std::max(squared_reach_, squared_reach * 1.03);
     return;
   }
-  Known& known = table_[(key_ >> 32U) % table_size];
+  Known& known = placeOf(key_);
   known.key = 0;
   known.around.clear();
   known.faces.clear();
   known.vertices.clear();
   for (const Label label : row.neighbors) {
-    const auto at = std::ranges::find(around_, label, &Neighbor::site);
+    const auto at = std::ranges::find(around_, label, &Neighbor::label);
     if (at == around_.end()) return;
     known.faces.push_back(static_cast<std::uint8_t>(at - around_.begin()));
   }
-  for (const Neighbor& neighbor : around_) known.around.push_back(difference(neighbor.site));
-  for (const auto& v : row.vertices) {
+  for (const Neighbor& neighbor : around_) known.around.push_back(neighbor.label);
+  known.site = site_;
+  for (const auto& [a, b, c] : row.vertices) {
     known.vertices.push_back(
-        {static_cast<std::uint8_t>(v[0]), static_cast<std::uint8_t>(v[1]), static_cast<std::uint8_t>(v[2])});
+        {static_cast<std::uint8_t>(a), static_cast<std::uint8_t>(b), static_cast<std::uint8_t>(c)});
   }
   known.key = key_;
   known.squared_reach = squared_reach;

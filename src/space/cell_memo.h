@@ -5,14 +5,13 @@
 #include <cstddef>
 #include <cstdint>
 #include <span>
-#include <utility>
 #include <vector>
 
 #include "space/site_bins.h"
 
 namespace vorpipe::space {
 
-/// A cell as Rows::set takes it: the labels of its faces ascending, and its vertices' faces.
+/// A cell as Rows::set takes it: the labels of its faces, and its vertices' faces.
 struct ExactRow {
   std::vector<Label> neighbors;
   std::vector<std::array<std::uint32_t, 3>> vertices;
@@ -22,10 +21,10 @@ struct ExactRow {
 /// The exact cell of a site depends on the exact differences between the sites and walls around and it, ties
 /// included: they are broken by the order of coordinates. In lattices these differences repeat, even
 /// where coordinates are rounded. Cells are kept by them, in a table of fixed size; one for each thread.
-/// Where few repeat it is not asked any more.
+/// Where few repeat it is asked less and less.
 class CellMemo {
  public:
-  explicit CellMemo(const SiteBins& bins) : bins_(bins), table_(table_size) {}
+  explicit CellMemo(const SiteBins& bins);
   /// Whether there is a cell with the same sites around; it is written to `row`.
   bool find(Label site, ExactRow& row);
   /// Keeps the exact cell of the last site that was not found. All sites that can cut it are within the root
@@ -41,32 +40,36 @@ class CellMemo {
   };
   struct Neighbor {
     std::uint64_t key;
-    Label site;
+    Label label;
   };
   struct Known {
     std::uint64_t key = 0;
     double squared_reach = 0;
-    std::vector<Difference> around;   ///< by ascending key
+    Label site = 0;
+    std::vector<Label> around;        ///< by ascending key of their differences
     std::vector<std::uint8_t> faces;  ///< which of these
     std::vector<std::array<std::uint8_t, 3>> vertices;
   };
-  static constexpr std::size_t table_size = 4096, most_around = 160;
+  static constexpr std::size_t most_around = 160;
 
+  bool isWorthAsking();
   bool lookAround(Label site);
-  [[nodiscard]] Difference difference(Label to) const;
+  [[nodiscard]] Difference difference(Label from_site, Label to) const;
+  [[nodiscard]] Known& placeOf(std::uint64_t key) { return table_[(key >> 32U) % table_.size()]; }
   [[nodiscard]] bool isSame(const Known& known) const;
-  void write(const Known& known, ExactRow& row);
+  void write(const Known& known, ExactRow& row) const;
 
   const SiteBins& bins_;
   std::vector<Known> table_;
-  std::uint32_t asked_ = 0, found_ = 0;
-  double squared_reach_ = 0;  ///< sites are looked for within the root of this
+  std::size_t found_ = 0;
+  std::uint32_t asked_ = 0, found_of_asked_ = 0;  ///< lately
+  std::uint32_t pass_over_ = 0, next_pass_ = 0;   ///< how many sites are not asked about, now and next
+  double squared_reach_ = 0;                      ///< sites are looked for within the root of this
   // Of the last site.
-  Point3 from_{};
+  Label site_ = 0;
   bool usable_ = false;
   std::uint64_t key_ = 0;
   std::vector<Neighbor> around_;
-  std::vector<std::pair<Label, std::uint32_t>> by_label_;
 };
 
 }  // namespace vorpipe::space

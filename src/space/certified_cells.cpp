@@ -1,9 +1,13 @@
 #include "space/certified_cells.h"
 
 #include <algorithm>
-#include <cmath>
+#include <cstring>
+#include <mutex>
+#include <utility>
+#include <vector>
 
 #include "base/parallel.h"
+#include "base/try.h"
 #include "space/polyhedra.h"
 
 namespace vorpipe::space {
@@ -11,93 +15,169 @@ namespace {
 
 constexpr std::size_t cells_in_batch = 512;
 
-/// Writes what there is of each cell and face.
-class RecordWriter {
+/// From records of rows to those of the faces that remain of them.
+class RecordEnd {
  public:
-  RecordWriter(const ProvedCells& cells, const Contraction& contraction, Detail3 detail, int threads,
-               Diagram3& diagram)
-      : cells_(cells), contraction_(contraction), detail_(detail), threads_(threads), out_(diagram) {}
+  RecordEnd(const ProvedCells& cells, const Contraction& contraction, Records& records, Detail3 detail,
+            int threads, Diagram3& diagram)
+      : cells_(cells),
+        contraction_(contraction),
+        records_(records),
+        detail_(detail),
+        threads_(threads),
+        out_(diagram) {}
 
   void write() {
-    prepare();
-    countFaces();
-    const bool moments = detail_ == Detail3::polyhedra, all = moments && cells_.moments.empty();
-    std::vector<std::uint8_t> careful(cells_.rows.size(), all ? 1 : 0);
-    std::vector<std::uint8_t> unmeasured(cells_.rows.size(), 0);
-    for (const auto site : cells_.careful) careful[site] = unmeasured[site] = 1;
-    parallelFor(cells_.rows.size(), cells_in_batch, threads_, [&](std::size_t begin, std::size_t end) {
-      CarefulMeasures measures(cells_.places);
-      FaceOrder order(cells_, contraction_);
-      for (std::size_t i = begin; i < end; ++i) {
-        const Row row = cells_.rows[i];
-        if (row.faces == 0) continue;
-        order.take(static_cast<Label>(i), row);
-        if (order.faces().empty()) continue;
-        if (careful[i] != 0) measures.measure(static_cast<Label>(i), row);
-        writeCell(i, order, unmeasured[i] != 0 ? measures.measures() : cells_.measures[i],
-                  unmeasured[i] != 0 ? measures.areas() : cells_.face_areas[i]);
-        if (moments) writeMoments(i, careful[i] != 0 ? measures.secondMoments() : cells_.moments[i]);
-      }
-    });
+    out_.status.assign(cells_.status.begin(), cells_.status.end());
+    out_.owner.assign(cells_.owner.begin(), cells_.owner.end());
+    const auto without_room = measure();
+    if (detail_ == Detail3::measures) cells_.rows.forgetRings();
+    makeRoom();
+    writeAreas(without_room);
+    clearEmpty();
+    writeNeighbors();
   }
 
  private:
-  /// Everything as it is where a site has no cell.
-  void prepare() {
-    const std::size_t n = cells_.sites.size();
-    out_.status.assign(cells_.status.begin(), cells_.status.end());
-    out_.owner.assign(cells_.owner.begin(), cells_.owner.end());
-    out_.volume.assign(n, 0);
-    out_.surface.assign(n, 0);
-    out_.centroid.assign(cells_.sites.begin(), cells_.sites.end());
-    if (detail_ == Detail3::polyhedra) out_.second_moments.assign(n, {});
-    out_.face_offsets.assign(n + 1, 0);
+  /// Calls each(site, row) for those with rows.
+  template <class Each>
+  void forRows(const Each& each) const {
+    parallelEach(cells_.rows.size(), cells_in_batch, threads_, [&](std::size_t i) {
+      const Row row = cells_.rows[i];
+      if (row.faces != 0) each(i, row);
+    });
+  }
+  [[nodiscard]] bool remains(std::uint32_t cell, std::size_t face) const {
+    return cell == SharedVertices::nowhere || contraction_.remaining(cell, face) != 0;
   }
 
-  void countFaces() {
-    parallelFor(cells_.rows.size(), cells_in_batch, threads_, [&](std::size_t begin, std::size_t end) {
-      for (std::size_t i = begin; i < end; ++i) {
+  /// The areas of a cell's faces, by face.
+  struct Areas {
+    std::uint32_t site;
+    std::vector<double> of_face;
+  };
+
+  /// Measures those cells that are not. Returns the areas of those that got a row of another size since room
+  /// was made for them.
+  std::vector<Areas> measure() {
+    const auto& which = cells_.unmeasured;
+    std::vector<Areas> without_room;
+    std::mutex mutex;
+    parallelFor(which.size(), cells_in_batch, threads_, [&](std::size_t begin, std::size_t end) {
+      CarefulMeasures measures(cells_.places);
+      for (const std::uint32_t i : which.subspan(begin, end - begin)) {
         const Row row = cells_.rows[i];
         if (row.faces == 0) continue;
-        std::uint64_t count = row.faces;
-        if (const auto cell = contraction_.cellOf(static_cast<Label>(i)); cell != SharedVertices::nowhere) {
-          for (std::size_t f = 0; f < row.faces; ++f)
-            count -= std::uint64_t{contraction_.remaining(cell, f) == 0};
+        measures.measure(static_cast<Label>(i), row);
+        records_.write(i, measures.measures(), measures.secondMoments());
+        if (!records_.hasRoom(i, row.faces)) {
+          const std::scoped_lock lock(mutex);
+          without_room.push_back({i, measures.areas()});
+          continue;
         }
-        const std::uint32_t site = cells_.input[i];
-        out_.face_offsets[site + 1] = count;
-        if (count == 0) out_.status[site] = Status::empty;
+        for (std::size_t f = 0; f < row.faces; ++f) records_.writeArea(i, f, measures.areas()[f]);
       }
     });
-    auto& offsets = out_.face_offsets;
-    for (std::size_t i = 0; i + 1 < offsets.size(); ++i) offsets[i + 1] += offsets[i];
-    out_.neighbors.resize(offsets.back());
-    out_.face_areas.resize(offsets.back());
+    return without_room;
   }
 
-  void writeCell(std::size_t i, const FaceOrder& order, const CellMeasures& measures,
-                 const std::vector<double>& areas) {
-    const std::uint32_t site = cells_.input[i];
-    const double unit = cells_.unit, square = unit * unit;
-    const Point3 &from = cells_.places.sites[i], &to = measures.centroid;
-    out_.volume[site] = measures.volume * unit * square;
-    out_.surface[site] = measures.surface * square;
-    out_.centroid[site] = {(from.x + to.x) * unit, (from.y + to.y) * unit, (from.z + to.z) * unit};
-    std::uint64_t at = out_.face_offsets[site];
-    for (const auto& face : order.faces()) {
-      out_.neighbors[at] = face.neighbor;
-      out_.face_areas[at++] = areas[face.face] * square;
+  /// A cell that has not room for its faces: some vanished, or it got a row of another size.
+  struct Changed {
+    std::uint32_t input, site;
+    std::uint64_t faces;  ///< that remain
+  };
+
+  [[nodiscard]] std::vector<Changed> findChanged() const {
+    std::vector<std::uint8_t> suspect(cells_.rows.size(), 0);
+    for (const Label site : contraction_.cells()) suspect[static_cast<std::size_t>(site)] = 1;
+    for (const std::uint32_t site : cells_.unmeasured) suspect[site] = 1;
+    std::vector<Changed> changed;
+    for (std::uint32_t i = 0; i < suspect.size(); ++i) {
+      if (suspect[i] == 0) continue;
+      const std::uint32_t cell = contraction_.cellOf(static_cast<Label>(i));
+      const std::size_t of_row = cells_.rows[i].faces;
+      std::size_t faces = 0;
+      for (std::size_t f = 0; f < of_row; ++f) faces += std::size_t{remains(cell, f)};
+      if (!records_.hasRoom(i, faces)) changed.push_back({cells_.input[i], i, faces});
+    }
+    std::ranges::sort(changed, {}, &Changed::input);
+    return changed;
+  }
+
+  /// Gives each cell room for the faces that remain. Their areas go along.
+  void makeRoom() {
+    const auto changed = findChanged();
+    if (changed.empty()) return;
+    const auto before = out_.face_offsets;
+    auto& offsets = out_.face_offsets;
+    bool grows = false;
+    std::uint64_t end = 0;
+    for (auto [i, next] = std::pair(std::size_t{0}, changed.begin()); i < out_.size(); ++i) {
+      const bool is_changed = next != changed.end() && next->input == i;
+      end += is_changed ? next->faces : before[i + 1] - before[i];
+      if (is_changed && next->faces == 0) out_.status[i] = Status::empty;
+      next += is_changed ? 1 : 0;
+      grows = grows || end > before[i + 1];
+      offsets[i + 1] = end;
+    }
+    std::vector<double> elsewhere(grows ? end : 0);
+    const double* const from = out_.face_areas.data();
+    double* const to = grows ? elsewhere.data() : out_.face_areas.data();
+    std::size_t cell = 0;
+    const auto moveUpTo = [&](std::size_t last) {
+      const std::size_t count = before[last] - before[cell];
+      if (count > 0) std::memmove(to + offsets[cell], from + before[cell], count * sizeof(double));
+    };
+    for (const auto& [input, site, faces] : changed) {
+      moveUpTo(input);
+      cell = input + std::size_t{1};
+      const std::uint64_t room = before[cell] - before[input];
+      if (room != cells_.rows[site].faces) continue;
+      const std::uint32_t contracted = contraction_.cellOf(static_cast<Label>(site));
+      double* area = to + offsets[input];
+      for (std::size_t f = 0; f < room; ++f) {
+        if (remains(contracted, f)) *area++ = from[before[input] + f];
+      }
+    }
+    moveUpTo(out_.size());
+    if (grows) out_.face_areas = std::move(elsewhere);
+    out_.face_areas.resize(end);
+  }
+
+  void writeAreas(const std::vector<Areas>& of_cells) {
+    for (const auto& [i, of_face] : of_cells) {
+      const std::uint32_t contracted = contraction_.cellOf(static_cast<Label>(i));
+      std::size_t kept = 0;
+      for (std::size_t f = 0; f < of_face.size(); ++f) {
+        if (remains(contracted, f)) records_.writeArea(i, kept++, of_face[f]);
+      }
     }
   }
 
-  void writeMoments(std::size_t i, const std::array<double, 6>& moments) {
-    const double unit = cells_.unit, fifth = unit * unit * unit * unit * unit;
-    auto& out = out_.second_moments[cells_.input[i]];
-    for (std::size_t e = 0; e < out.size(); ++e) out[e] = moments[e] * fifth;
+  /// A cell may have lost its faces, or its row after it was measured.
+  void clearEmpty() {
+    for (std::size_t i = 0; i < out_.size(); ++i) {
+      if (out_.face_offsets[i] != out_.face_offsets[i + 1]) continue;
+      out_.volume[i] = out_.surface[i] = 0;
+      out_.centroid[i] = cells_.sites[i];
+      if (detail_ == Detail3::polyhedra) out_.second_moments[i] = {};
+    }
+  }
+
+  void writeNeighbors() {
+    out_.neighbors.resize(out_.face_offsets.back());
+    forRows([&](std::size_t i, const Row& row) {
+      const std::uint32_t cell = contraction_.cellOf(static_cast<Label>(i));
+      std::uint64_t to = out_.face_offsets[cells_.input[i]];
+      for (std::size_t f = 0; f < row.faces; ++f) {
+        if (remains(cell, f)) out_.neighbors[to++] = publicNumber(cells_, row.neighbor[f]);
+      }
+    });
   }
 
   const ProvedCells& cells_;
   const Contraction& contraction_;
+  Records& records_;
   Detail3 detail_;
   int threads_;
   Diagram3& out_;
@@ -105,14 +185,15 @@ class RecordWriter {
 
 }  // namespace
 
-Result<TieCounts> writeDiagram(const ProvedCells& cells, Detail3 detail, int threads, Diagram3& diagram) {
+Result<TieCounts> writeDiagram(const ProvedCells& cells, Records& records, Detail3 detail, int threads,
+                               Diagram3& diagram) {
   const bool polyhedra = detail == Detail3::polyhedra;
-  auto contraction = Contraction::of(cells.places, cells.rows, cells.tied, polyhedra, threads);
+  auto contraction = Contraction::of(cells.places, cells.rows, cells.tied, threads);
   if (!contraction) return tl::unexpected(std::move(contraction).error());
   if (!polyhedra) contraction->forgetRings();
-  RecordWriter(cells, *contraction, detail, threads, diagram).write();
+  RecordEnd(cells, *contraction, records, detail, threads, diagram).write();
   diagram.flat = contraction->counts().flat;
-  if (polyhedra) Polyhedra(cells, *contraction, threads, diagram).write();
+  if (polyhedra) VORPIPE_TRY(Polyhedra(cells, *contraction, threads, diagram).write());
   return contraction->counts();
 }
 

@@ -3,6 +3,7 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <atomic>
 #include <memory>
 #include <mutex>
 #include <numeric>
@@ -13,6 +14,7 @@
 #include "base/parallel.h"
 #include "base/refusal.h"
 #include "base/try.h"
+#include "space/cell_check.h"
 #include "space/exact_search.h"
 
 namespace vorpipe::space {
@@ -37,24 +39,24 @@ bool isOutside(const Places& places, std::size_t site) {
 
 class Certifier {
  public:
-  Certifier(const SiteBins& bins, bool moments, const Progress& progress, int threads)
+  Certifier(const SiteBins& bins, Records& records, const Progress& progress, int threads)
       : bins_(bins),
+        records_(records),
         places_(bins.places()),
         lanes_(bins.lanes()),
-        propose_cells_(proposeCells()),
+        lines_(bins.linesOfCubes()),
         progress_(progress),
         threads_(threads),
-        found_(bins.sites.size()),
+        found_(bins),
         tied_(bins.sites.size(), 0),
-        careful_(bins.sites.size(), 0),
-        exact_(bins.sites.size(), 0) {
-    found_.face_areas.resize(bins.sites.size());
-    if (moments) found_.moments.resize(bins.sites.size());
-  }
+        unmeasured_(bins.sites.size(), 0),
+        in_double_(bins.sites.size(), 0),
+        exact_(bins.sites.size(), 0) {}
 
   Result<CertifiedRows> run() {
-    VORPIPE_TRY(tiesAreEverywhere() ? disputeAll() : propose());
+    VORPIPE_TRY(begin());
     VORPIPE_TRY(recompute(0.4, 0.5));
+    records_.layOut(found_.rows, threads_);
     SiteList which = allSites();
     bool all = false;
     for (;;) {
@@ -78,9 +80,9 @@ class Certifier {
       sortUnique(which);
     }
     if (near_) return tl::unexpected(nearSites(near_->first, near_->second));
-    for (std::uint32_t i = 0; i < careful_.size(); ++i) {
+    for (std::uint32_t i = 0; i < tied_.size(); ++i) {
       if (tied_[i] != 0) found_.tied.push_back(i);
-      if (careful_[i] != 0) found_.careful.push_back(i);
+      if (unmeasured_[i] != 0) found_.unmeasured.push_back(i);
     }
     return std::move(found_);
   }
@@ -127,41 +129,56 @@ class Certifier {
     return inSteps(count, grain, from, to, [&](std::size_t begin, std::size_t end) {
       RowArena arena;
       body(begin, end, arena);
-      const std::scoped_lock lock(mutex_);
-      found_.arenas.push_back(std::move(arena));
     });
   }
-  void dispute(SiteList sites) {
+  void dispute(const SiteList& sites) {
+    if (sites.empty()) return;
     const std::scoped_lock lock(mutex_);
     disputed_.insert(disputed_.end(), sites.begin(), sites.end());
   }
 
   [[nodiscard]] SiteList allSites() const {
     SiteList all(bins_.sites.size());
-    std::iota(all.begin(), all.end(), 0U);
+    auto to = all.begin();
+    for (const auto [first, last] : lines_) {
+      const auto end = to + (bins_.begin[last] - bins_.begin[first]);
+      std::iota(to, end, bins_.begin[first]);
+      to = end;
+    }
     return all;
   }
-  Result<void> disputeAll() {
-    disputed_ = allSites();
-    return {};
-  }
-
-  Result<void> propose() {
-    const std::size_t grain = std::clamp<std::size_t>(bins_.bins() / 16, 1, 2048);
-    return inArenas(bins_.bins(), grain, 0, 0.4, [this](std::size_t begin, std::size_t end, RowArena& arena) {
-      dispute(proposeBins(begin, end, arena));
+  /// Proposes the cells of all sites, as quickly as is worth it, or disputes them all. In lattices float and
+  /// double break ties otherwise than exact signs do.
+  Result<void> begin() {
+    auto precision = Precision::in_float;
+    if (partInDispute(precision) > 0.3) {
+      precision = Precision::in_double;
+      std::ranges::fill(in_double_, 1);
+      if (partInDispute(precision) > 0.5) {
+        disputed_ = allSites();
+        return {};
+      }
+    }
+    const std::size_t grain = std::clamp<std::size_t>(lines_.size() / 16, 1, 256);
+    return inArenas(lines_.size(), grain, 0, 0.4, [&](std::size_t begin, std::size_t end, RowArena& arena) {
+      for (std::size_t k = begin; k < end; ++k) {
+        const auto [first, last] = lines_[k];
+        dispute(propose(precision, first, bins_.begin[first], bins_.begin[last], arena));
+      }
     });
   }
 
-  /// Sets the rows that are proposed for some bins, and returns the sites without.
-  SiteList proposeBins(std::size_t begin, std::size_t end, RowArena& arena) {
+  /// Sets the rows that are proposed for some sites, the first of which is in a bin, and returns those
+  /// without.
+  SiteList propose(Precision precision, std::uint32_t bin, std::uint32_t first, std::uint32_t last,
+                   RowArena& arena) {
     struct Taken {
       Rows& rows;
       RowArena& arena;
       SiteList left;
     } taken{found_.rows, arena, {}};
-    propose_cells_(
-        lanes_, static_cast<std::uint32_t>(begin), static_cast<std::uint32_t>(end),
+    proposeCells(precision)(
+        lanes_, bin, first, last,
         [](void* context, std::uint32_t site, const ProposedCell& cell) {
           auto& [rows, into, left] = *static_cast<Taken*>(context);
           if (cell.state == Proposed::whole &&
@@ -169,32 +186,33 @@ class Certifier {
                        static_cast<std::size_t>(cell.vertices), into)) {
             return;
           }
+          rows.clear(site);
           left.push_back(site);
         },
         &taken);
     return std::move(taken.left);
   }
 
-  /// Whether nearly all cells of a sample have ties, as in lattices: float breaks them otherwise than exact
-  /// signs do, so that proposals are in vain.
-  bool tiesAreEverywhere() {
-    constexpr std::size_t ranges = 32, bins_of_range = 4, least_bins = 2048;
-    if (bins_.bins() < least_bins) return false;
+  /// The part of a sample of cells that are not right if they are proposed so; 0 of few sites.
+  double partInDispute(Precision precision) {
+    constexpr std::uint32_t ranges = 32, bins_of_range = 4, least_bins = 2048;
+    if (bins_.bins() < least_bins) return 0;
     RowArena arena;
     CellCheck cell_check(places_, found_.rows);
-    std::size_t sites = 0, tied = 0;
-    for (std::size_t k = 0; k < ranges; ++k) {
-      const std::size_t bin = bins_.bins() / ranges * k;
-      tied += proposeBins(bin, bin + bins_of_range, arena).size();
-      for (std::uint32_t site = bins_.begin[bin]; site < bins_.begin[bin + bins_of_range]; ++site) {
+    std::size_t sites = 0, wrong = 0;
+    for (std::uint32_t k = 0; k < ranges; ++k) {
+      const std::uint32_t bin = bins_.bins() / ranges * k, first = bins_.begin[bin],
+                          last = bins_.begin[bin + bins_of_range];
+      propose(precision, bin, first, last, arena);
+      for (std::uint32_t site = first; site < last; ++site) {
         ++sites;
-        if (found_.rows[site].faces == 0) continue;
-        const Verdict verdict = cell_check.check(static_cast<Label>(site), true);
-        tied += verdict.tied || verdict.unsure || verdict.broken == Broken::rings ? 1 : 0;
+        const bool right = found_.rows[site].faces != 0 &&
+                           cell_check.check(static_cast<Label>(site), Signs::all).broken == Broken::nothing;
+        wrong += right ? 0 : 1;
         found_.rows.clear(site);
       }
     }
-    return sites > ranges && tied > sites - sites / 8;
+    return sites > ranges ? static_cast<double>(wrong) / static_cast<double>(sites) : 0;
   }
 
   /// One that no other thread uses: they keep what they know from one range of sites to the next.
@@ -206,17 +224,24 @@ class Certifier {
     return search;
   }
 
-  /// Recomputes the cells in dispute exactly.
+  /// Recomputes the cells in dispute: those by float in double, the others exactly.
   Result<void> recompute(double from, double to) {
     sortUnique(disputed_);
+    std::atomic<std::uint64_t> made = 0;
     const std::size_t grain = std::clamp<std::size_t>(disputed_.size() / 256, 16, 4096);
     const auto done =
         inArenas(disputed_.size(), grain, from, to, [&](std::size_t begin, std::size_t end, RowArena& arena) {
           std::unique_ptr<ExactSearch> search = takeSearch();
           for (std::size_t k = begin; k < end; ++k) {
             const std::uint32_t site = disputed_[k];
+            if (in_double_[site] == 0) {
+              in_double_[site] = 1;
+              const std::uint32_t bin = bins_.indexOfBin(bins_.sites[site]);
+              if (propose(Precision::in_double, bin, site, site + 1, arena).empty()) continue;
+            }
             const ExactRow& row = search->rowOf(static_cast<Label>(site));
             exact_[site] = 1;
+            ++made;
             found_.rows.clear(site);
             if (!row.neighbors.empty()) found_.rows.set(site, row.neighbors, row.vertices, arena);
           }
@@ -224,25 +249,30 @@ class Certifier {
           searches_.push_back(std::move(search));
         });
     VORPIPE_TRY(done);
-    found_.exact += disputed_.size();
+    found_.exact += made;
     disputed_.clear();
     return {};
   }
 
-  /// Checks cells, keeps their measures, and disputes those that are not proved.
+  /// Checks cells, writes their records, and disputes those that are not proved.
   Result<void> check(const SiteList& which) {
     const std::size_t grain = std::clamp<std::size_t>(which.size() / 16, 1, 4096);
     VORPIPE_TRY(inSteps(which.size(), grain, 0.5, 0.8, [&](std::size_t begin, std::size_t end) {
-      const bool moments = !found_.moments.empty();
-      CellCheck cell_check(places_, found_.rows, moments);
+      CellCheck cell_check(places_, found_.rows, records_.wantMoments());
       SiteList disputed;
       for (std::size_t k = begin; k < end; ++k) {
         const std::uint32_t site = which[k];
+        if (k + 8 < end) records_.prefetchOffsets(which[k + 8]);
+        if (k + 4 < end) {
+          records_.prefetch(which[k + 4]);
+          found_.rows.prefetch(which[k + 4]);
+        }
         if (found_.rows[site].faces == 0) {
           if (exact_[site] == 0) disputed.push_back(site);
           continue;
         }
-        const Verdict verdict = cell_check.check(static_cast<Label>(site), exact_[site] != 0);
+        const Verdict verdict =
+            cell_check.check(static_cast<Label>(site), exact_[site] != 0 ? Signs::none : Signs::of_least);
         if (verdict.broken != Broken::nothing) {
           disputed.push_back(site);
           for (const Label with : verdict.with) {
@@ -256,14 +286,14 @@ class Certifier {
               std::min(near_.value_or(std::pair(site, verdict.nearest)), std::pair(site, verdict.nearest));
         }
         tied_[site] = verdict.tied ? 1 : 0;
-        careful_[site] = verdict.unsure || isOutside(places_, site) ? 1 : 0;
-        found_.measures[site] = cell_check.measures();
-        if (moments) found_.moments[site] = cell_check.secondMoments();
-        auto& areas = found_.face_areas[site];
-        areas.resize(found_.rows[site].faces);
-        for (std::size_t f = 0; f < areas.size(); ++f) areas[f] = cell_check.faceArea(f);
+        const std::size_t faces = found_.rows[site].faces;
+        const bool measured = !verdict.unsure && !isOutside(places_, site) && records_.hasRoom(site, faces);
+        unmeasured_[site] = measured ? 0 : 1;
+        if (!measured) continue;
+        records_.write(site, cell_check.measures(), cell_check.secondMoments());
+        for (std::size_t f = 0; f < faces; ++f) records_.writeArea(site, f, cell_check.faceArea(f));
       }
-      dispute(std::move(disputed));
+      dispute(disputed);
     }));
     sortUnique(disputed_);
     return {};
@@ -282,13 +312,15 @@ class Certifier {
   }
 
   const SiteBins& bins_;
+  Records& records_;
   Places places_;
   LaneBins lanes_;
-  ProposeCells propose_cells_;
+  std::vector<BinLine> lines_;
   const Progress& progress_;
   int threads_;
   CertifiedRows found_;
-  std::vector<std::uint8_t> tied_, careful_, exact_;  ///< by site
+  std::vector<std::uint8_t> tied_, unmeasured_;  ///< by site
+  std::vector<std::uint8_t> in_double_, exact_;  ///< by site: whether its cell was proposed or made so
   SiteList disputed_;
   std::vector<std::unique_ptr<ExactSearch>> searches_;  ///< that are idle
   std::optional<std::pair<std::uint32_t, std::uint32_t>>
@@ -302,6 +334,7 @@ std::size_t cellsOfCorner(const Rows& rows) {
   std::size_t cells = 0;
   for (std::size_t site = 0; site < rows.size(); ++site) {
     const Row row = rows[site];
+    if (row.faces == 0 || !isWallLabel(row.neighbor[0])) continue;  // walls come first
     const std::size_t x = row.faceOf(labelOfWall(0)), y = row.faceOf(labelOfWall(2)),
                       z = row.faceOf(labelOfWall(4));
     if (x == row.faces || y == row.faces || z == row.faces) continue;
@@ -321,8 +354,8 @@ bool forgetsSite(const Places& places, const Rows& rows, std::span<const std::ui
   return false;
 }
 
-Result<CertifiedRows> certify(const SiteBins& bins, bool moments, const Progress& progress, int threads) {
-  return Certifier(bins, moments, progress, threads).run();
+Result<CertifiedRows> certify(const SiteBins& bins, Records& records, const Progress& progress, int threads) {
+  return Certifier(bins, records, progress, threads).run();
 }
 
 }  // namespace vorpipe::space

@@ -13,24 +13,22 @@ namespace {
 
 constexpr std::size_t cells_in_step = 256;
 
-/// The sites that have cells, or those of them around the ends of short edges; ascending.
-std::vector<Label> cellsAround(const Rows& rows, const std::vector<ShortEdge>& edges, bool all) {
-  std::vector<std::uint8_t> wanted(rows.size(), all ? 1 : 0);
+/// The sites of cells around the ends of short edges, ascending.
+std::vector<Label> cellsAround(const Rows& rows, const std::vector<ShortEdge>& edges) {
+  if (edges.empty()) return {};
+  std::vector<std::uint8_t> wanted(rows.size(), 0);
   const auto want = [&](Label label) {
     if (!isWallLabel(label)) wanted[static_cast<std::size_t>(label)] = 1;
   };
-  if (!all) {
-    for (const auto& edge : edges) {
-      const Row row = rows[static_cast<std::size_t>(edge.site)];
-      const EdgeAround around = edgeAround(row, edge.edge_end);
-      want(edge.site);
-      for (const auto face : {around.face, around.other, around.before, around.after})
-        want(row.neighbor[face]);
-    }
+  for (const auto& edge : edges) {
+    const Row row = rows[static_cast<std::size_t>(edge.site)];
+    const EdgeAround around = edgeAround(row, edge.edge_end);
+    want(edge.site);
+    for (const auto face : {around.face, around.other, around.before, around.after}) want(row.neighbor[face]);
   }
   std::vector<Label> cells;
   for (std::size_t i = 0; i < rows.size(); ++i) {
-    if (wanted[i] != 0 && rows[i].faces != 0) cells.push_back(static_cast<Label>(i));
+    if (wanted[i] != 0) cells.push_back(static_cast<Label>(i));
   }
   return cells;
 }
@@ -39,55 +37,9 @@ std::vector<Label> cellsAround(const Rows& rows, const std::vector<ShortEdge>& e
 // another.
 constexpr std::uint8_t suspect = 1, needed = 2;
 
-bool isMarked(std::uint8_t& marks, std::uint8_t with) {
-  return (std::atomic_ref(marks).load(std::memory_order_relaxed) & with) != 0;
-}
-
 void mark(std::uint8_t& marks, std::uint8_t with) {
-  if (!isMarked(marks, with)) std::atomic_ref(marks).fetch_or(with, std::memory_order_relaxed);
-}
-
-/// How many faces of a cell visit each vertex.
-class VisitCounts {
- public:
-  void start(std::size_t most) {
-    std::size_t room = 64;
-    while (room < 2 * most) room *= 2;
-    if (table_.size() < room) table_.resize(room);
-    mask_ = table_.size() - 1;
-    for (const auto at : used_) table_[at].count = 0;
-    used_.clear();
-  }
-  void add(std::uint32_t vertex) {
-    constexpr std::uint32_t scatter = 2654435769U;
-    std::size_t at = vertex * scatter >> 8 & mask_;
-    while (table_[at].count != 0 && table_[at].vertex != vertex) at = (at + 1) & mask_;
-    if (table_[at].count++ == 0) used_.push_back(at);
-    table_[at].vertex = vertex;
-  }
-  template <class Each>
-  void forEach(const Each& each) const {
-    for (const auto at : used_) each(table_[at].vertex, table_[at].count);
-  }
-
- private:
-  struct Visited {
-    std::uint32_t vertex, count = 0;
-  };
-  std::vector<Visited> table_;
-  std::vector<std::size_t> used_;
-  std::size_t mask_ = 0;
-};
-
-/// Appends the vertices that steps visit more than once.
-void findPinches(const std::vector<RingStep>& steps, std::vector<std::uint32_t>& sorted,
-                 std::vector<std::uint32_t>& pinched) {
-  sorted.clear();
-  for (const auto& step : steps) sorted.push_back(step.to);
-  std::ranges::sort(sorted);
-  for (std::size_t k = 1; k < sorted.size(); ++k) {
-    if (sorted[k] == sorted[k - 1]) pinched.push_back(sorted[k]);
-  }
+  std::atomic_ref at(marks);
+  if ((at.load(std::memory_order_relaxed) & with) == 0) at.fetch_or(with, std::memory_order_relaxed);
 }
 
 void sortOnce(std::vector<std::uint32_t>& numbers) {
@@ -98,9 +50,9 @@ void sortOnce(std::vector<std::uint32_t>& numbers) {
 }  // namespace
 
 Result<Contraction> Contraction::of(const Places& places, const Rows& rows,
-                                    std::span<const std::uint32_t> tied, bool all, int threads) {
+                                    std::span<const std::uint32_t> tied, int threads) {
   auto edges = shortEdges(places, rows, tied, threads);
-  auto vertices = SharedVertices::of(rows, cellsAround(rows, edges, all), threads);
+  auto vertices = SharedVertices::of(rows, cellsAround(rows, edges), threads);
   if (!vertices) return tl::unexpected(std::move(vertices).error());
   Contraction contraction(std::move(*vertices));
   TiedEdges ties(places, rows, contraction.vertices_, std::move(edges), threads);
@@ -131,17 +83,30 @@ void Contraction::startAgain() {
   counts_ = {};
 }
 
-void Contraction::ring(std::size_t cell, const Row& row, std::size_t face, std::size_t k,
-                       std::vector<RingStep>& steps) const {
-  walk(cell, row, face, k, steps);
+const std::vector<RingStep>& Contraction::ring(CellWalk& walk, const Row& row, std::size_t face,
+                                               std::size_t k) {
+  auto& steps = walk.walk(row, face, k);
   shorten(steps, [](const RingStep&, const RingStep&) {});
+  for (auto& step : steps) step.to = walk.became(step.to);
+  return steps;
 }
 
-void Contraction::walk(std::size_t cell, const Row& row, std::size_t face, std::size_t k,
-                       std::vector<RingStep>& steps) const {
-  const auto isNone = [&](std::uint32_t vertex) { return !dropped_.empty() && dropped_[vertex] != 0; };
-  walkRing(vertices_, *sets_, isNone, cell, row, face, k, steps);
-}
+/// What is found on a walk along all rings of cells.
+struct Contraction::Walked {
+  std::vector<std::uint32_t> pinched;  ///< vertices that a ring visits twice
+  std::uint64_t faces = 0, spurs = 0, flat = 0, gone = 0;
+  bool any_suspect = false;
+  std::vector<std::uint32_t> visits;  ///< of the last cell: how many faces visit each name
+
+  void add(const Walked& other) {
+    pinched.insert(pinched.end(), other.pinched.begin(), other.pinched.end());
+    faces += other.faces;
+    spurs += other.spurs;
+    flat += other.flat;
+    gone += other.gone;
+    any_suspect = any_suspect || other.any_suspect;
+  }
+};
 
 /// Finds out which faces remain, and counts; returns the vertices where faces are pinched.
 std::vector<std::uint32_t> Contraction::findFaces(const Rows& rows, int threads) {
@@ -151,89 +116,81 @@ std::vector<std::uint32_t> Contraction::findFaces(const Rows& rows, int threads)
   remaining_.resize(face_begin_.back());
   std::uint64_t straight = 0;
   for (;;) {
-    auto pinched = walkFaces(rows, threads);
-    const std::uint64_t more = dropStraight(rows, threads);
+    Walked walked = walkFaces(rows, threads);
+    const std::uint64_t more = walked.any_suspect ? dropStraight(threads) : 0;
     straight += more;
     if (more > 0) continue;
+    counts_.faces = walked.faces;
+    counts_.spurs = walked.spurs;
+    counts_.flat = walked.flat;
+    counts_.gone = walked.gone;
     counts_.straight = straight;
-    return pinched;
+    sortOnce(walked.pinched);
+    return std::move(walked.pinched);
   }
 }
 
-/// Counts faces, and marks the vertices in just two faces of some cell.
-std::vector<std::uint32_t> Contraction::walkFaces(const Rows& rows, int threads) {
+/// Counts faces, and marks vertices by how many faces of each cell have them.
+Contraction::Walked Contraction::walkFaces(const Rows& rows, int threads) {
   const auto sites = cells();
-  std::vector<std::vector<std::uint32_t>> pinched((sites.size() + cells_in_step - 1) / cells_in_step);
-  std::atomic<std::uint64_t> faces = 0, spurs = 0, flat = 0, gone = 0;
+  std::vector<Walked> found((sites.size() + cells_in_step - 1) / cells_in_step);
   parallelFor(sites.size(), cells_in_step, threads, [&](std::size_t begin, std::size_t end) {
-    std::vector<RingStep> steps;
-    std::vector<std::uint32_t> sorted;
-    VisitCounts visits;
-    for (std::size_t c = begin; c < end; ++c) {
-      const Row row = rows[static_cast<std::size_t>(sites[c])];
-      visits.start(row.edge_ends);
-      std::size_t remaining = 0;
-      for (std::size_t f = 0; f < row.faces; ++f) {
-        walk(c, row, f, 0, steps);
-        const std::size_t before = steps.size();
-        shorten(steps, [](const RingStep&, const RingStep&) {});
-        const bool remains = !steps.empty(), is_spurred = steps.size() < before;
-        const bool counts = isWallLabel(row.neighbor[f]) || row.neighbor[f] > sites[c];
-        remaining += remains;
-        faces += counts && !remains;
-        spurs += counts && remains && is_spurred;
-        remaining_[face_begin_[c] + f] =
-            static_cast<std::uint8_t>(std::min<std::size_t>(steps.size(), many_vertices));
-        for (const auto& step : steps) visits.add(step.to);
-        findPinches(steps, sorted, pinched[c / cells_in_step]);
-      }
-      flat += remaining > 0 && remaining < 4;
-      gone += remaining == 0;
-      visits.forEach([&](std::uint32_t vertex, std::uint32_t count) {
-        if (count < 3) mark(marks_[vertex], suspect);
-      });
-    }
+    CellWalk walk = cellWalk();
+    Walked& here = found[begin / cells_in_step];
+    for (std::size_t c = begin; c < end; ++c)
+      walkCell(c, rows[static_cast<std::size_t>(sites[c])], walk, here);
+    here.visits = {};
   });
-  counts_.faces = faces;
-  counts_.spurs = spurs;
-  counts_.flat = flat;
-  counts_.gone = gone;
-  std::vector<std::uint32_t> vertices;
-  for (const auto& part : pinched) vertices.insert(vertices.end(), part.begin(), part.end());
-  sortOnce(vertices);
-  return vertices;
+  Walked all;
+  for (const auto& part : found) all.add(part);
+  return all;
+}
+
+void Contraction::walkCell(std::size_t cell, const Row& row, CellWalk& walk, Walked& found) {
+  take(cell, row, walk);
+  found.visits.assign(walk.names(), 0);
+  std::size_t remaining = 0;
+  for (std::size_t f = 0; f < row.faces; ++f) {
+    auto& steps = walk.walk(row, f, 0);
+    const std::size_t before = steps.size();
+    if (before == 2 || walk.visitsAgain()) {
+      shorten(steps, [](const RingStep&, const RingStep&) {});
+      walk.forEachAgain([&](std::uint32_t name) { found.pinched.push_back(walk.became(name)); });
+    }
+    const bool counts = isWallLabel(row.neighbor[f]) || row.neighbor[f] > cells()[cell];
+    const bool remains = !steps.empty();
+    remaining += remains;
+    found.faces += counts && !remains;
+    found.spurs += counts && remains && steps.size() < before;
+    remaining_[face_begin_[cell] + f] =
+        static_cast<std::uint8_t>(std::min<std::size_t>(steps.size(), many_vertices));
+    for (const auto& step : steps) ++found.visits[step.to];
+  }
+  found.flat += remaining > 0 && remaining < 4;
+  found.gone += remaining == 0;
+  for (std::uint32_t name = 0; name < found.visits.size(); ++name) {
+    if (found.visits[name] == 0) continue;
+    const bool is_suspect = found.visits[name] < 3;
+    mark(marks_[walk.became(name)], is_suspect ? suspect : needed);
+    found.any_suspect = found.any_suspect || is_suspect;
+  }
 }
 
 /// Drops suspects that are in more than two faces of no cell; returns how many.
-std::uint64_t Contraction::dropStraight(const Rows& rows, int threads) {
-  const auto sites = cells();
-  if (std::ranges::none_of(marks_, [](std::uint8_t marks) { return (marks & suspect) != 0; })) return 0;
-  parallelFor(sites.size(), cells_in_step, threads, [&](std::size_t begin, std::size_t end) {
-    std::vector<RingStep> steps;
-    VisitCounts visits;
-    for (std::size_t c = begin; c < end; ++c) {
-      const Row row = rows[static_cast<std::size_t>(sites[c])];
-      visits.start(row.edge_ends);
-      for (std::size_t f = 0; f < row.faces; ++f) {
-        if (remaining(c, f) == 0) continue;
-        ring(c, row, f, 0, steps);
-        for (const auto& step : steps) {
-          if (isMarked(marks_[step.to], suspect)) visits.add(step.to);
-        }
-      }
-      visits.forEach([&](std::uint32_t vertex, std::uint32_t count) {
-        if (count >= 3) mark(marks_[vertex], needed);
-      });
-    }
-  });
-  std::uint64_t count = 0;
+std::uint64_t Contraction::dropStraight(int threads) {
+  constexpr std::size_t vertices_in_step = 1 << 14;
+  std::atomic<std::uint64_t> count = 0;
   dropped_.resize(marks_.size(), 0);
-  for (std::size_t v = 0; v < marks_.size(); ++v) {
-    const bool drop = marks_[v] == suspect;
-    count += drop;
-    if (drop) dropped_[v] = 1;
-    marks_[v] = 0;
-  }
+  parallelFor(marks_.size(), vertices_in_step, threads, [&](std::size_t begin, std::size_t end) {
+    std::uint64_t here = 0;
+    for (std::size_t v = begin; v < end; ++v) {
+      const bool drop = marks_[v] == suspect;
+      here += drop;
+      if (drop) dropped_[v] = 1;
+      marks_[v] = 0;
+    }
+    count += here;
+  });
   return count;
 }
 

@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "base/disjoint_sets.h"
+#include "space/cell_walk.h"
 #include "space/label.h"
-#include "space/ring_walk.h"
 #include "space/rows.h"
 #include "space/shared_vertices.h"
 #include "vorpipe/result.h"
@@ -33,9 +33,9 @@ struct TieCounts {
 class Contraction {
  public:
   /// Contracts the cells of sites that may have ties (ascending; all of those with a short edge), and all
-  /// cells around them; with `all`, all cells are among cells(). Errors (device): faults of vorpipe.
+  /// cells around them. Errors (device): faults of vorpipe.
   static Result<Contraction> of(const Places& places, const Rows& rows, std::span<const std::uint32_t> tied,
-                                bool all, int threads);
+                                int threads);
 
   /// Those that may differ from their rows.
   [[nodiscard]] std::span<const Label> cells() const { return vertices_.cells(); }
@@ -48,9 +48,15 @@ class Contraction {
   [[nodiscard]] std::uint8_t remaining(std::size_t cell, std::size_t face) const {
     return remaining_[face_begin_[cell] + face];
   }
-  /// The ring of a face that remains, begun as near to the k-th of its vertices as it does.
-  void ring(std::size_t cell, const Row& row, std::size_t face, std::size_t k,
-            std::vector<RingStep>& steps) const;
+  /// For ring(), one for each thread.
+  [[nodiscard]] CellWalk cellWalk() const { return CellWalk(vertices_, *sets_); }
+  /// Makes ready a cell's rings.
+  void take(std::size_t cell, const Row& row, CellWalk& walk) const {
+    walk.take(cell, row, [this](std::uint32_t vertex) { return isDropped(vertex); });
+  }
+  /// The ring of a face that remains, begun as near to the k-th of its vertices as it does, in a cell that
+  /// was taken. Steps lead to vertices.
+  static const std::vector<RingStep>& ring(CellWalk& walk, const Row& row, std::size_t face, std::size_t k);
   [[nodiscard]] const TieCounts& counts() const { return counts_; }
   /// Frees what ring() and become() need.
   void forgetRings() {
@@ -63,11 +69,14 @@ class Contraction {
  private:
   explicit Contraction(SharedVertices vertices) : vertices_(std::move(vertices)) { startAgain(); }
   void startAgain();
+  struct Walked;
   std::vector<std::uint32_t> findFaces(const Rows& rows, int threads);
-  std::vector<std::uint32_t> walkFaces(const Rows& rows, int threads);
-  std::uint64_t dropStraight(const Rows& rows, int threads);
-  void walk(std::size_t cell, const Row& row, std::size_t face, std::size_t k,
-            std::vector<RingStep>& steps) const;
+  Walked walkFaces(const Rows& rows, int threads);
+  void walkCell(std::size_t cell, const Row& row, CellWalk& walk, Walked& found);
+  std::uint64_t dropStraight(int threads);
+  [[nodiscard]] bool isDropped(std::uint32_t vertex) const {
+    return !dropped_.empty() && dropped_[vertex] != 0;
+  }
 
   SharedVertices vertices_;
   std::unique_ptr<DisjointSets> sets_;

@@ -12,8 +12,7 @@ EdgeLabels edgeLabels(Label a, Label b, Label c) {
   return labels;
 }
 
-EdgeClasses::EdgeClasses(std::vector<EdgeLabels> edges)
-    : edges_(std::move(edges)), parent_(edges_.size()), open_(edges_.size(), 0) {
+EdgeClasses::EdgeClasses(std::size_t edges) : parent_(edges), open_(edges, 0) {
   std::iota(parent_.begin(), parent_.end(), 0U);
 }
 
@@ -22,15 +21,8 @@ std::uint32_t EdgeClasses::rootOf(std::uint32_t edge) {
   return edge;
 }
 
-void EdgeClasses::join(const EdgeLabels& edge, const EdgeLabels& other) {
-  const auto at = [&](const EdgeLabels& labels) {
-    return static_cast<std::uint32_t>(std::ranges::lower_bound(edges_, labels) - edges_.begin());
-  };
-  std::uint32_t a = rootOf(at(edge)), b = at(other);
-  if (b == edges_.size() || edges_[b] != other) {
-    open_[a] = 1;
-    return;
-  }
+void EdgeClasses::join(std::uint32_t a, std::uint32_t b) {
+  a = rootOf(a);
   b = rootOf(b);
   if (a == b) return;
   if (a > b) std::swap(a, b);

@@ -1,6 +1,8 @@
 #include "space/exact_cell.h"
 
 #include <algorithm>
+#include <bit>
+#include <numeric>
 
 #include "space/place.h"
 #include "space/predicates.h"
@@ -10,6 +12,14 @@ namespace {
 
 /// Beyond, blocks of vertices are tested as one; edges are paired by sorting.
 constexpr std::size_t vertices_of_large = 256, removed_of_large = 16;
+
+std::uint64_t edge(Label a, Label b) {
+  return std::uint64_t{static_cast<std::uint32_t>(a)} << 32 | static_cast<std::uint32_t>(b);
+}
+Label firstOf(std::uint64_t edge) { return static_cast<Label>(edge >> 32); }
+Label secondOf(std::uint64_t edge) { return static_cast<Label>(edge & 0xffffffff); }
+/// The same edge as its other end names it.
+std::uint64_t reversed(std::uint64_t edge) { return std::rotl(edge, 32); }
 
 }  // namespace
 
@@ -64,24 +74,31 @@ bool ExactCell::cut(Label by) {
 void ExactCell::findRemoved(Label by) {
   removed_.clear();
   const HalfSpace half_space(relative(places_, site_, by));
-  const auto test = [&](std::uint32_t v) {
+  candidates_.clear();
+  if (blocks_) {
+    blocks_->find(half_space, candidates_);
+  } else {
+    candidates_.resize(label_.size());
+    std::iota(candidates_.begin(), candidates_.end(), 0U);
+  }
+  // Nearly all are below; which are not cannot be foreseen.
+  std::size_t kept = 0;
+  for (const std::uint32_t v : candidates_) {
     const VertexSpot& spot = spot_[v];
-    const double above = half_space.above(spot.x, spot.y, spot.z), error = half_space.error(spot.slack);
-    if (above < -error) return;
-    if (!(above > error)) {
+    const bool below = half_space.above(spot.x, spot.y, spot.z) < -half_space.error(spot.slack);
+    candidates_[kept] = v;
+    kept += below ? 0 : 1;
+  }
+  candidates_.resize(kept);
+  for (const std::uint32_t v : candidates_) {
+    const VertexSpot& spot = spot_[v];
+    if (!(half_space.above(spot.x, spot.y, spot.z) > half_space.error(spot.slack))) {
       const auto& [a, b, c] = label_[v];
-      if (a == by || b == by || c == by || !cuts(places_, site_, a, b, c, by)) return;
+      if (a == by || b == by || c == by || !cuts(places_, site_, a, b, c, by)) continue;
     }
     removed_.push_back(v);
-  };
-  if (!blocks_) {
-    for (std::uint32_t v = 0; v < label_.size(); ++v) test(v);
-    return;
   }
-  candidates_.clear();
-  blocks_->find(half_space, candidates_);
-  for (const std::uint32_t v : candidates_) test(v);
-  std::ranges::sort(removed_);
+  if (blocks_) std::ranges::sort(removed_);
 }
 
 /// The edges of removed vertices that no other removed vertex has; each named as its end that goes names it.
@@ -90,16 +107,18 @@ void ExactCell::findRim() {
   rim_.clear();
   for (const std::uint32_t v : removed_) {
     const auto& [a, b, c] = label_[v];
-    edges_.insert(edges_.end(), {{a, b}, {b, c}, {c, a}});
+    edges_.insert(edges_.end(), {edge(a, b), edge(b, c), edge(c, a)});
   }
   if (removed_.size() <= removed_of_large) {
-    for (const auto& [a, b] : edges_) {
-      if (std::ranges::find(edges_, Edge{b, a}) == edges_.end()) rim_.emplace_back(a, b);
+    for (const Edge e : edges_) {
+      bool again = false;
+      for (const Edge other : edges_) again |= other == reversed(e);
+      if (!again) rim_.push_back(e);
     }
     return;
   }
-  const auto whole = [](const Edge& e) { return std::minmax(e.first, e.second); };
-  std::ranges::sort(edges_, [&](const Edge& p, const Edge& q) { return whole(p) < whole(q); });
+  const auto whole = [](Edge e) { return std::min(e, reversed(e)); };
+  std::ranges::sort(edges_, {}, whole);
   for (std::size_t k = 0; k < edges_.size(); ++k) {
     if (k + 1 < edges_.size() && whole(edges_[k]) == whole(edges_[k + 1])) {
       ++k;
@@ -113,7 +132,7 @@ void ExactCell::findRim() {
 void ExactCell::replaceRemoved(Label by) {
   const std::size_t gone = removed_.size();
   for (std::size_t k = 0; k < rim_.size(); ++k) {
-    const std::array<Label, 3> label{rim_[k].first, rim_[k].second, by};
+    const std::array<Label, 3> label{firstOf(rim_[k]), secondOf(rim_[k]), by};
     const VertexSpot spot = spotOf(label);
     if (k < gone) {
       label_[removed_[k]] = label;

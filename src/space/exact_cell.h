@@ -5,7 +5,6 @@
 #include <cstdint>
 #include <optional>
 #include <span>
-#include <utility>
 #include <vector>
 
 #include "space/label.h"
@@ -35,7 +34,8 @@ class ExactCell {
   [[nodiscard]] std::span<const std::array<Label, 3>> vertices() const { return label_; }
 
  private:
-  using Edge = std::pair<Label, Label>;
+  /// Of a removed vertex, between two of its faces: the first in the upper half.
+  using Edge = std::uint64_t;
 
   [[nodiscard]] VertexSpot spotOf(const std::array<Label, 3>& label) const;
   void findRemoved(Label by);
@@ -49,7 +49,8 @@ class ExactCell {
   std::optional<VertexBlocks> blocks_;
   mutable double squared_radius_ = -1;  ///< negative: to be found
   std::vector<std::uint32_t> removed_, candidates_;
-  std::vector<Edge> rim_, edges_;  ///< edges between removed vertices and others
+  std::vector<Edge> rim_;    ///< those that no other removed vertex has
+  std::vector<Edge> edges_;  ///< of all removed vertices
 };
 
 }  // namespace vorpipe::space

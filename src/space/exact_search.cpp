@@ -75,13 +75,23 @@ void ExactSearch::addLine(int x, int end, int y, int z, double limit) {
 /// Sites beyond the root of this cannot cut the cell. Squared distances and radii are rounded.
 double ExactSearch::squaredReach() const { return 4 * (1 + 1e-9) * cell_.squaredRadius(); }
 
+/// Most cells are as large as the one before: candidates that are much farther away are not even collected.
+/// If some could cut after all, the cell is cut once more.
 const ExactCell& ExactSearch::cellOf(Label site) {
+  constexpr double margin = 2;
   cell_.reset(site);
-  begin(site);
-  while (!cell_.empty()) {
-    const Label by = next(squaredReach());
-    if (by < 0) break;
-    cell_.cut(by);
+  for (double expected = margin * last_reach_;; expected = std::numeric_limits<double>::infinity()) {
+    begin(site);
+    while (!cell_.empty()) {
+      const Label by = next(std::min(squaredReach(), expected));
+      if (by < 0) break;
+      cell_.cut(by);
+    }
+    if (cell_.empty()) break;
+    const double reach = squaredReach();
+    if (reach > expected) continue;
+    last_reach_ = reach;
+    break;
   }
   return cell_;
 }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <limits>
 #include <vector>
 
 #include "space/cell_memo.h"
@@ -42,6 +43,7 @@ class ExactSearch {
   Label site_ = 0;
   Point3 from_{};
   int bin_[3] = {}, shell_ = 0, last_shell_ = 0;
+  double last_reach_ = std::numeric_limits<double>::infinity();  ///< squared, of the last cell
   double certain_ = 0;            ///< all sites whose squared distance is less are found
   std::vector<Candidate> found_;  ///< up to `sorted_` ascending, and all others are beyond `certain_`
   std::size_t next_ = 0, sorted_ = 0;

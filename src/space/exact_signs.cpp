@@ -131,8 +131,9 @@ class Units {
     }
     // So that any number with its rounding error is less than 2^62. Beyond, the unit's inverse is no double.
     const int exponent = std::max(exponentOf(largest), -900);
-    unit_ = powerOfTwo(exponent - 61);
-    per_unit_ = powerOfTwo(61 - exponent);
+    exponent_ = exponent - 61;
+    unit_ = powerOfTwo(exponent_);
+    per_unit_ = powerOfTwo(-exponent_);
   }
 
   /// The number; if it is no multiple of the unit, fit() is false from then on.
@@ -144,6 +145,8 @@ class Units {
   }
 
   [[nodiscard]] bool fit() const { return fit_; }
+  /// The unit's.
+  [[nodiscard]] int exponent() const { return exponent_; }
   /// The bits that are not 0 in all numbers, from which shift() zeros are taken away at the end.
   [[nodiscard]] int shift() const { return bits_ == 0 ? 0 : std::countr_zero(word()); }
   [[nodiscard]] int bits() const { return static_cast<int>(std::bit_width(word())) - shift(); }
@@ -158,6 +161,7 @@ class Units {
   }
 
   double unit_, per_unit_;
+  int exponent_;
   std::int64_t bits_ = 0;
   bool fit_ = true;
 };
@@ -222,7 +226,7 @@ int withIntegers(const ExactTuple<size>& tuple, const Use& use) {
   return withRows<ShortIntegers>(tuple, number, use);
 }
 
-/// 2^exponent a / b, rounded twice.
+/// 2^exponent a / b, rounded twice: to 64 bits or 65, and to a double.
 double quotient(const AnyInteger& a, const AnyInteger& b, int exponent) {
   if (a == 0) return 0;
   const AnyInteger dividend = abs(a), divisor = abs(b);
@@ -230,6 +234,36 @@ double quotient(const AnyInteger& a, const AnyInteger& b, int exponent) {
   const AnyInteger digits = shift > 0 ? (dividend << shift) / divisor : dividend / (divisor << -shift);
   const double magnitude = std::ldexp(static_cast<double>(digits), exponent - shift);
   return a.sign() == b.sign() ? magnitude : -magnitude;
+}
+
+/// The same.
+double quotient(const FixedInteger<4>& a, const FixedInteger<3>& b, int exponent) {
+  if (a.sign() == 0) return 0;
+  const FixedInteger<4> dividend = a.sign() < 0 ? -a : a;
+  const FixedInteger<3> divisor = b.sign() < 0 ? -b : b;
+  const int last = lastBit(dividend), divisors = lastBit(divisor);
+  const AnyInteger digits(
+      leadingQuotient(shiftedLeft(dividend, 255 - last), shiftedLeft(divisor, 191 - divisors)));
+  const double magnitude = std::ldexp(static_cast<double>(digits), exponent - (64 + divisors - last));
+  return a.sign() == b.sign() ? magnitude : -magnitude;
+}
+
+/// The place of a vertex, from its faces in units of 2^exponent. times(lift, minor) are products of those.
+template <class Integers, class Times>
+Point3 placeOf(const std::array<WholeRow<Integers>, 3>& row, int exponent, const Times& times) {
+  using Whole = WholeRow<Integers>;
+  const auto &a = row[0], &b = row[1], &c = row[2];  // Clang 14 captures no structured bindings
+  const auto det = determinant(a, minorOf(b, c), b, minorOf(a, c), c, minorOf(a, b));
+  const auto twice = det + det;
+  const auto component = [&](auto first, auto second) {
+    using Pair = typename Integers::Pair;
+    const auto minor = [&](const Whole& p, const Whole& q) {
+      return Pair(Pair(p.*first) * q.*second - Pair(p.*second) * q.*first);
+    };
+    return quotient(times(a.lift, minor(b, c)) + times(b.lift, minor(c, a)) + times(c.lift, minor(a, b)),
+                    twice, exponent);
+  };
+  return {component(&Whole::y, &Whole::z), component(&Whole::z, &Whole::x), component(&Whole::x, &Whole::y)};
 }
 
 }  // namespace
@@ -262,20 +296,27 @@ int exactSide(const Places& places, Label i, const std::array<Label, 4>& other) 
 
 Point3 exactPlace(const Places& places, Label i, const std::array<Label, 3>& other) {
   const ExactTuple<3> tuple(places, i, other);
-  const int least = leastBit(tuple);
   Point3 place{};
-  withAnyIntegers(tuple, least, [&](const std::array<WholeRow<AnyIntegers>, 3>& row) {
-    const auto &a = row[0], &b = row[1], &c = row[2];  // Clang 14 captures no structured bindings
-    const AnyInteger twice = 2 * determinant(a, minorOf(b, c), b, minorOf(a, c), c, minorOf(a, b));
-    const auto component = [&](auto first, auto second) {
-      const auto minor = [&](const WholeRow<AnyIntegers>& p, const WholeRow<AnyIntegers>& q) {
-        return AnyInteger(p.*first * q.*second - p.*second * q.*first);
+  Units units(tuple);
+  std::array<std::array<std::int64_t, 3>, 3> number{};
+  for (std::size_t k = 0; k < 3; ++k) {
+    for (std::size_t c = 0; c < 3; ++c) number[k][c] = units.whole(tuple.number[k][c]);
+  }
+  if (units.fit()) {
+    withRows<LongIntegers>(tuple, number, [&](const std::array<WholeRow<LongIntegers>, 3>& row) {
+      // Sums of three products are less than 2^252.2.
+      const auto times = [](Int128 a, Int128 b) {
+        return product(FixedInteger<2>{{static_cast<std::uint64_t>(a), static_cast<std::uint64_t>(a >> 64)}},
+                       b);
       };
-      const AnyInteger sum = a.lift * minor(b, c) + b.lift * minor(c, a) + c.lift * minor(a, b);
-      return quotient(sum, twice, least);
-    };
-    using Any = WholeRow<AnyIntegers>;
-    place = {component(&Any::y, &Any::z), component(&Any::z, &Any::x), component(&Any::x, &Any::y)};
+      place = placeOf(row, units.exponent(), times);
+      return 0;
+    });
+    return place;
+  }
+  const int least = leastBit(tuple);
+  withAnyIntegers(tuple, least, [&](const std::array<WholeRow<AnyIntegers>, 3>& row) {
+    place = placeOf(row, least, [](const AnyInteger& a, const AnyInteger& b) { return AnyInteger(a * b); });
     return 0;
   });
   return place;

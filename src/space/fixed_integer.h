@@ -3,6 +3,7 @@
 #pragma once
 
 #include <array>
+#include <bit>
 #include <cstddef>
 #include <cstdint>
 
@@ -54,24 +55,98 @@ inline FixedInteger<3> product(Int128 a, std::int64_t b) {
   return {{word(low), word(high), word(high >> 64)}};
 }
 
-/// a b. Words are multiplied as if they had no sign; 2^192 and 2^128 times the other are what that adds where
-/// a, b are negative.
-inline FixedInteger<5> product(const FixedInteger<3>& a, Int128 b) {
+/// a b. Words are multiplied as if they had no sign; 2^(64 words) and 2^128 times the other are what that
+/// adds where a, b are negative.
+template <std::size_t words>
+FixedInteger<words + 2> product(const FixedInteger<words>& a, Int128 b) {
   const std::array<std::uint64_t, 2> right{static_cast<std::uint64_t>(b),
                                            static_cast<std::uint64_t>(b >> 64)};
-  FixedInteger<5> result;
+  FixedInteger<words + 2> result;
   for (std::size_t i = 0; i < 2; ++i) {
     std::uint64_t carry = 0;
-    for (std::size_t j = 0; j < 3; ++j) {
+    for (std::size_t j = 0; j < words; ++j) {
       const Word128 sum = static_cast<Word128>(a.word[j]) * right[i] + result.word[i + j] + carry;
       result.word[i + j] = static_cast<std::uint64_t>(sum);
       carry = static_cast<std::uint64_t>(sum >> 64U);
     }
-    result.word[i + 3] = carry;
+    result.word[i + words] = carry;
   }
-  if (a.sign() < 0) result -= {{0, 0, 0, right[0], right[1]}};
-  if (b < 0) result -= {{0, 0, a.word[0], a.word[1], a.word[2]}};
+  if (a.sign() < 0) {
+    FixedInteger<words + 2> shifted;
+    shifted.word[words] = right[0];
+    shifted.word[words + 1] = right[1];
+    result -= shifted;
+  }
+  if (b < 0) {
+    FixedInteger<words + 2> shifted;
+    for (std::size_t j = 0; j < words; ++j) shifted.word[j + 2] = a.word[j];
+    result -= shifted;
+  }
   return result;
+}
+
+/// The number of the last bit of a positive number that is set: 0 is the first.
+template <std::size_t words>
+int lastBit(const FixedInteger<words>& a) {
+  std::size_t k = words - 1;
+  while (a.word[k] == 0) --k;
+  return static_cast<int>(64 * k) + 63 - std::countl_zero(a.word[k]);
+}
+
+template <std::size_t words>
+FixedInteger<words> shiftedLeft(const FixedInteger<words>& a, int bits) {
+  FixedInteger<words> shifted;
+  const std::size_t whole = static_cast<std::size_t>(bits) / 64;
+  const int rest = bits % 64;
+  for (std::size_t k = words; k-- > whole;) {
+    const std::uint64_t below = rest != 0 && k > whole ? a.word[k - whole - 1] >> (64 - rest) : 0;
+    shifted.word[k] = a.word[k - whole] << rest | below;
+  }
+  return shifted;
+}
+
+/// The quotient of positive numbers, rounded down, whose last bits are set: of 64 bits, or 65.
+template <std::size_t words>
+Word128 leadingQuotient(FixedInteger<words + 1> a, const FixedInteger<words>& b) {
+  // a -= part b 2^(64 shift), as far as words go; returns whether it was too much.
+  const auto subtract = [&](std::uint64_t part, std::size_t shift) {
+    std::uint64_t carry = 0;
+    bool borrow = false;
+    const auto take = [&](std::uint64_t& word, std::uint64_t less) {
+      const std::uint64_t before = word, after = before - less - (borrow ? 1 : 0);
+      borrow = borrow ? before <= less : before < less;
+      word = after;
+    };
+    for (std::size_t k = 0; k < words; ++k) {
+      const Word128 sum = static_cast<Word128>(b.word[k]) * part + carry;
+      take(a.word[k + shift], static_cast<std::uint64_t>(sum));
+      carry = static_cast<std::uint64_t>(sum >> 64U);
+    }
+    if (shift == 0) take(a.word[words], carry);
+    return borrow;
+  };
+  const auto addBack = [&](std::size_t shift) {
+    bool carry = false;
+    for (std::size_t k = 0; k < words; ++k) {
+      const Word128 sum = static_cast<Word128>(a.word[k + shift]) + b.word[k] + (carry ? 1 : 0);
+      a.word[k + shift] = static_cast<std::uint64_t>(sum);
+      carry = sum >> 64U != 0;
+    }
+    if (shift == 0 && carry) carry = ++a.word[words] == 0;
+    return carry;
+  };
+  const bool is_more = !subtract(1, 1);
+  if (!is_more) addBack(1);
+  // From the two leading words, and one: too much by 2 at most (Knuth, volume 2, 4.3.1).
+  const Word128 leading = static_cast<Word128>(a.word[words]) << 64U | a.word[words - 1];
+  const std::uint64_t first = b.word[words - 1];
+  std::uint64_t digits =
+      a.word[words] >= first ? ~std::uint64_t{0} : static_cast<std::uint64_t>(leading / first);
+  if (subtract(digits, 0)) {
+    do --digits;
+    while (!addBack(0));
+  }
+  return static_cast<Word128>(is_more ? 1 : 0) << 64U | digits;
 }
 
 }  // namespace vorpipe::space

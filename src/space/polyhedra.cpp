@@ -1,281 +1,277 @@
 #include "space/polyhedra.h"
 
 #include <algorithm>
+#include <array>
 #include <atomic>
-#include <bit>
-#include <cmath>
 
 #include "base/parallel.h"
+#include "space/glue.h"
 #include "space/place.h"
 
 namespace vorpipe::space {
 namespace {
 
 constexpr std::size_t cells_in_part = 512, vertices_in_part = 4096;
-constexpr std::uint32_t none = 0xffffffff;
+constexpr std::uint32_t no_number = 0xffffffff;
 
-template <class T>
-void atomicMin(T& value, T other) {
-  std::atomic_ref<T> at(value);
-  T now = at.load(std::memory_order_relaxed);
-  while (other < now && !at.compare_exchange_weak(now, other, std::memory_order_relaxed)) {
-  }
+/// The inverse of publicNumber() for walls.
+Label labelOfPublicWall(std::int64_t number) {
+  int wall = 0;
+  constexpr std::int64_t of[walls] = {wall_xmin, wall_xmax, wall_ymin, wall_ymax, wall_zmin, wall_zmax};
+  while (of[wall] != number) ++wall;
+  return labelOfWall(wall);
 }
-
-template <class T>
-void atomicMax(T& value, T other) {
-  std::atomic_ref<T> at(value);
-  T now = at.load(std::memory_order_relaxed);
-  while (now < other && !at.compare_exchange_weak(now, other, std::memory_order_relaxed)) {
-  }
-}
-
-std::uint8_t wallBit(Label wall) { return static_cast<std::uint8_t>(1U << wallOf(wall)); }
 
 }  // namespace
 
-void FaceOrder::take(Label site, const Row& row) {
-  const std::uint32_t cell = contraction_.cellOf(site);
-  all_.clear();
-  for (std::uint32_t f = 0; f < row.faces; ++f) all_.push_back({publicNumber(cells_, row.neighbor[f]), f});
-  std::ranges::sort(all_, {}, &Face::neighbor);
-  rank_.resize(row.faces);
-  faces_.clear();
-  for (std::uint32_t k = 0; k < all_.size(); ++k) {
-    rank_[all_[k].face] = k;
-    if (cell == SharedVertices::nowhere || contraction_.remaining(cell, all_[k].face) != 0)
-      faces_.push_back(all_[k]);
-  }
-}
-
-std::size_t FaceOrder::beginOf(const Row& row, std::size_t face) {
-  const Ring ring = row.ring(face);
-  std::size_t least = 0;
-  for (std::size_t k = 1; k < ring.size(); ++k) {
-    if (rank_[ring[k]] < rank_[ring[least]]) least = k;
-  }
-  return least;
-}
-
-void Polyhedra::write() {
-  writeRings();
-  numberVertices();
-  writePlaces();
+Result<void> Polyhedra::write() {
+  layOutRings();
+  tied_.writeRings();
+  countVertices();
+  tied_.addFirst(first_);
+  layOutEnds();
+  numberEnds();
+  if (!writeRings())
+    return tl::unexpected(Error{ErrorCode::device, "two cells disagree about a face: a fault of vorpipe"});
+  ends_begin_ = {};
+  small_ = {};
+  large_ = {};
   writeSites();
+  tied_.findPlaces();
+  contraction_.forgetRings();
+  cells_.rows.forget();
+  writePlaces();
+  return {};
 }
 
-/// Writes rings of vertices of the contraction.
-void Polyhedra::writeRings() {
-  const auto sites = contraction_.cells();
+/// Calls each(site, row) for cells without ties.
+template <class Each>
+void Polyhedra::forPlainCells(const Each& each) const {
+  if (contraction_.cells().size() == cells_.rows.size()) return;
+  parallelFor(cells_.rows.size(), cells_in_part, threads_, [&](std::size_t begin, std::size_t end) {
+    auto of_range = each();
+    for (std::size_t i = begin; i < end; ++i) {
+      const Row row = cells_.rows[i];
+      if (row.faces != 0 && !isTied(static_cast<Label>(i))) of_range(i, row);
+    }
+  });
+}
+
+Polyhedra::Earlier Polyhedra::earlierFaces(std::size_t site, const Row& row) const {
+  Earlier earlier;
+  while (earlier.begin < row.faces && isWallLabel(row.neighbor[earlier.begin])) ++earlier.begin;
+  earlier.end = earlier.begin;
+  const std::uint32_t own = cells_.input[site];
+  while (earlier.end < row.faces && cells_.input[static_cast<std::size_t>(row.neighbor[earlier.end])] < own) {
+    ++earlier.end;
+  }
+  return earlier;
+}
+
+/// Makes room for all rings, and writes where those of each cell begin.
+void Polyhedra::layOutRings() {
   auto& offsets = out_.face_vertex_offsets;
   offsets.assign(out_.neighbors.size() + 1, 0);
-  const auto forFaces = [&](const auto& each) {
-    parallelFor(sites.size(), cells_in_part, threads_, [&](std::size_t begin, std::size_t end) {
-      FaceOrder order(cells_, contraction_);
-      std::vector<RingStep> steps;
-      for (std::size_t c = begin; c < end; ++c) {
-        const auto site = static_cast<std::size_t>(sites[c]);
-        const Row row = cells_.rows[site];
-        order.take(sites[c], row);
-        std::uint64_t at = out_.face_offsets[cells_.input[site]];
-        for (const auto& face : order.faces()) each(c, row, face.face, order, steps, at++);
-      }
-    });
-  };
-  forFaces([&](std::size_t cell, const Row& row, std::size_t face, FaceOrder&, std::vector<RingStep>& steps,
-               std::uint64_t at) {
-    std::uint64_t size = contraction_.remaining(cell, face);
-    if (size == Contraction::many_vertices) {
-      contraction_.ring(cell, row, face, 0, steps);
-      size = steps.size();
-    }
-    offsets[at + 1] = size;
+  forPlainCells([&] {
+    return
+        [&](std::size_t i, const Row& row) { offsets[out_.face_offsets[cells_.input[i]]] = row.edge_ends; };
   });
-  for (std::size_t f = 0; f + 1 < offsets.size(); ++f) offsets[f + 1] += offsets[f];
-  out_.face_vertices.resize(offsets.back());
-  forFaces([&](std::size_t cell, const Row& row, std::size_t face, FaceOrder& order,
-               std::vector<RingStep>& steps, std::uint64_t at) {
-    contraction_.ring(cell, row, face, order.beginOf(row, face), steps);
-    std::uint64_t to = offsets[at];
-    for (const auto& step : steps) out_.face_vertices[to++] = step.to;
-  });
-  contraction_.vertices().forgetEnds();
-}
-
-/// Numbers vertices in the order in which the rings first name them.
-void Polyhedra::numberVertices() {
-  const std::size_t n = out_.size();
-  auto& rings = out_.face_vertices;
-  const auto forCells = [&](const auto& each) {
-    parallelFor(n, cells_in_part, threads_, [&](std::size_t begin, std::size_t end) {
-      for (std::size_t i = begin; i < end; ++i)
-        each(static_cast<std::uint32_t>(i), out_.face_vertex_offsets[out_.face_offsets[i]],
-             out_.face_vertex_offsets[out_.face_offsets[i + 1]]);
-    });
-  };
-  user_.assign(contraction_.vertices().size(), none);
-  number_.assign(contraction_.vertices().size(), none);
-  forCells([&](std::uint32_t cell, std::uint64_t begin, std::uint64_t end) {
-    for (auto k = begin; k < end; ++k) atomicMin(user_[rings[k]], cell);
-  });
-  std::vector<std::uint32_t> first(n + 1, 0);
-  forCells([&](std::uint32_t cell, std::uint64_t begin, std::uint64_t end) {
-    std::uint32_t count = 0;
-    for (auto k = begin; k < end; ++k) {
-      if (user_[rings[k]] == cell && number_[rings[k]] == none) number_[rings[k]] = count++;
-    }
-    first[cell + 1] = count;
-  });
-  for (std::size_t i = 0; i < n; ++i) first[i + 1] += first[i];
-  parallelEach(number_.size(), vertices_in_part, threads_, [&](std::size_t v) {
-    if (user_[v] != none) number_[v] += first[user_[v]];
-  });
-  parallelEach(rings.size(), vertices_in_part, threads_,
-               [&](std::size_t k) { rings[k] = number_[rings[k]]; });
-  out_.vertices.resize(first[n]);
-}
-
-/// Vertices that several have become. The best of them gives the place: one with the most walls, then the
-/// best conditioned.
-struct Polyhedra::Clusters {
-  std::vector<std::uint64_t> best;
-  std::vector<std::uint8_t> walls;
-
-  static std::uint64_t rankOf(std::size_t on_walls, double condition, std::uint32_t vertex) {
-    const auto bits = std::bit_cast<std::uint32_t>(static_cast<float>(condition));
-    return std::uint64_t{on_walls} << 62 | std::uint64_t{bits >> 1} << 32 | (none - vertex);
+  tied_.countRings();
+  std::uint64_t begin = 0;
+  for (std::size_t i = 0; i < out_.size(); ++i) {
+    if (out_.face_offsets[i] == out_.face_offsets[i + 1]) continue;
+    auto& of_cell = offsets[out_.face_offsets[i]];
+    begin += std::exchange(of_cell, begin);
   }
-};
+  offsets.back() = begin;
+  out_.face_vertices.resize(begin);
+}
 
-/// Calls each(site, row, faces, vertex) for each vertex of the contraction, in the cell that numbered it.
-template <class Each>
-void Polyhedra::forOwnVertices(const Each& each) {
-  const auto sites = contraction_.cells();
-  const auto& shared = contraction_.vertices();
-  parallelFor(sites.size(), cells_in_part, threads_, [&](std::size_t begin, std::size_t end) {
-    RowVertices vertices;
-    for (std::size_t c = begin; c < end; ++c) {
-      const Row row = cells_.rows[static_cast<std::size_t>(sites[c])];
-      vertices.number(row);
-      std::uint32_t vertex = shared.ownBegin(c);
-      for (const auto& faces : vertices.faces()) {
-        if (shared.isOwn(sites[c], row, faces)) each(sites[c], row, faces, vertex++);
+/// Counts the vertices of each cell that no cell before it has.
+void Polyhedra::countVertices() {
+  first_.assign(out_.size() + 1, 0);
+  forPlainCells([&] {
+    return [&](std::size_t i, const Row& row) {
+      const Earlier earlier = earlierFaces(i, row);
+      std::uint32_t ends = 0;
+      for (std::size_t f = 0; f < row.faces; ++f) {
+        if (earlier.has(f)) continue;
+        const Ring ring = row.ring(f);
+        bool before = earlier.has(ring[ring.size() - 1]);
+        for (std::size_t k = 0; k < ring.size(); ++k) {
+          const bool here = earlier.has(ring[k]);
+          ends += before || here ? 0 : 1;
+          before = here;
+        }
       }
-    }
+      first_[cells_.input[i] + 1] = ends / 3;
+    };
   });
+  tied_.rankVertices(first_);
+  for (std::size_t i = 0; i + 1 < first_.size(); ++i) first_[i + 1] += first_[i];
 }
 
-void Polyhedra::writePlaces() {
-  // user_ now names the cluster of a vertex that others have become.
-  std::ranges::fill(user_, none);
-  std::uint32_t count = 0;
-  for (std::uint32_t v = 0; v < user_.size(); ++v) {
-    const std::uint32_t became = contraction_.become(v);
-    if (became != v && user_[became] == none) user_[became] = count++;
+void Polyhedra::layOutEnds() {
+  if (contraction_.cells().size() == cells_.rows.size()) return;
+  ends_begin_.resize(cells_.rows.size());
+  std::uint64_t small = 0, large = 0;
+  for (std::size_t i = 0; i < cells_.rows.size(); ++i) {
+    const Row row = cells_.rows[i];
+    const bool fits = row.edge_ends <= 3 * not_own;
+    ends_begin_[i] = fits ? small : large | is_large;
+    if (!isTied(static_cast<Label>(i))) (fits ? small : large) += row.edge_ends;
   }
-  Clusters clusters;
-  clusters.best.assign(count, 0);
-  clusters.walls.assign(count, 0);
-  if (count > 0) findBest(clusters);
-  placeVertices(clusters);
-  user_ = {};
-  number_ = {};
+  small_.resize(small);
+  large_.resize(large);
 }
 
-void Polyhedra::findBest(Clusters& clusters) {
-  forOwnVertices([&](Label site, const Row& row, const std::array<std::uint32_t, 3>& faces, std::uint32_t v) {
-    const std::uint32_t cluster = user_[contraction_.become(v)];
-    if (cluster == none) return;
-    std::size_t on_walls = 0;
-    Relative way[3];
-    double sizes = 1;
-    for (std::size_t e = 0; e < 3; ++e) {
-      const Label label = row.neighbor[faces[e]];
-      way[e] = relative(cells_.places, site, label);
-      sizes *= way[e].size();
-      if (!isWallLabel(label)) continue;
-      ++on_walls;
-      std::atomic_ref(clusters.walls[cluster]).fetch_or(wallBit(label), std::memory_order_relaxed);
-    }
-    const auto& [a, b, c] = way;
-    const double det =
-        a.x * (b.y * c.z - b.z * c.y) + a.y * (b.z * c.x - b.x * c.z) + a.z * (b.x * c.y - b.y * c.x);
-    atomicMax(clusters.best[cluster], Clusters::rankOf(on_walls, std::max(det / sizes, 0.0), v));
+/// Numbers the own vertices of each cell, in the order in which its rings name them.
+void Polyhedra::numberEnds() {
+  const bool are_any_tied = !contraction_.cells().empty();
+  forPlainCells([&] {
+    return [&, vertices = RowVertices(), own = std::vector<std::uint32_t>()](std::size_t i,
+                                                                             const Row& row) mutable {
+      vertices.numberFromLeast(row);
+      const Earlier earlier = earlierFaces(i, row);
+      own.resize(vertices.size());
+      std::uint32_t count = 0;
+      for (std::size_t v = 0; v < own.size(); ++v) {
+        const auto& faces = vertices.faces()[v];
+        own[v] = earlier.hasNone(faces) ? count++ : no_number;
+        if (are_any_tied && own[v] != no_number)
+          numberForTied(i, row, faces, first_[cells_.input[i]] + own[v]);
+      }
+      const auto& at_end = vertices.atEnd();
+      const std::uint64_t begin = ends_begin_[i];
+      for (std::size_t e = 0; e < at_end.size(); ++e) {
+        const std::uint32_t number = own[at_end[e]];
+        if ((begin & is_large) != 0) {
+          large_[(begin & ~is_large) + e] = number;
+        } else {
+          small_[begin + e] = static_cast<std::uint8_t>(number);
+        }
+      }
+    };
   });
 }
 
-void Polyhedra::placeVertices(const Clusters& clusters) {
-  const Box3& box = cells_.places.box;
-  forOwnVertices([&](Label site, const Row& row, const std::array<std::uint32_t, 3>& faces, std::uint32_t v) {
-    const std::uint32_t became = contraction_.become(v), cluster = user_[became];
-    if (number_[became] == none) return;
-    std::uint8_t on = 0;
-    if (cluster != none) {
-      if (static_cast<std::uint32_t>(clusters.best[cluster]) != none - v) return;
-      on = clusters.walls[cluster];
-    }
-    Point3 p = canonicalPlace(cells_.places,
-                              {site, row.neighbor[faces[0]], row.neighbor[faces[1]], row.neighbor[faces[2]]});
-    if ((on & 3) != 0) p.x = (on & 1) != 0 ? box.xmin : box.xmax;
-    if ((on & 12) != 0) p.y = (on & 4) != 0 ? box.ymin : box.ymax;
-    if ((on & 48) != 0) p.z = (on & 16) != 0 ? box.zmin : box.zmax;
-    out_.vertices[number_[became]] = {p.x * cells_.unit, p.y * cells_.unit, p.z * cells_.unit};
+/// Tells a vertex' number to the tied cells that have it.
+void Polyhedra::numberForTied(std::size_t site, const Row& row, const std::array<std::uint32_t, 3>& faces,
+                              std::uint32_t number) {
+  for (std::size_t e = 0; e < 3; ++e) {
+    const Label label = row.neighbor[faces[e]];
+    if (isWallLabel(label) || !isTied(label)) continue;
+    // (i; j, k, l) is (j; i, l, k).
+    const Row other = cells_.rows[static_cast<std::size_t>(label)];
+    const std::size_t face = other.faceOf(static_cast<Label>(site)),
+                      third = other.faceOf(row.neighbor[faces[(e + 2) % 3]]);
+    tied_.setNumber(contraction_.cellOf(label), other.ringBegin(face) + placeIn(other.ring(face), third),
+                    number);
+    return;
+  }
+}
+
+std::uint32_t Polyhedra::numberAt(std::size_t site, std::size_t edge_end) const {
+  const auto label = static_cast<Label>(site);
+  if (isTied(label)) return tied_.numberAt(contraction_.cellOf(label), edge_end);
+  const std::uint64_t begin = ends_begin_[site];
+  const std::uint32_t own =
+      (begin & is_large) != 0 ? large_[(begin & ~is_large) + edge_end] : small_[begin + edge_end];
+  return first_[cells_.input[site]] + own;
+}
+
+bool Polyhedra::writeRings() {
+  std::atomic<bool> glued = true;
+  forPlainCells([&] {
+    return [&, vertices = RowVertices(), number = std::vector<std::uint32_t>()](std::size_t i,
+                                                                                const Row& row) mutable {
+      vertices.numberFromLeast(row);
+      const Earlier earlier = earlierFaces(i, row);
+      const std::uint32_t site = cells_.input[i];
+      number.resize(vertices.size());
+      std::uint32_t next = first_[site];
+      for (std::size_t v = 0; v < number.size(); ++v)
+        number[v] = earlier.hasNone(vertices.faces()[v]) ? next++ : no_number;
+      if (!takeOthers(i, row, earlier, vertices, number)) {
+        glued = false;
+        return;
+      }
+      const auto& at_end = vertices.atEnd();
+      std::uint64_t at = out_.face_offsets[site], to = out_.face_vertex_offsets[at];
+      for (std::size_t f = 0; f < row.faces; ++f) {
+        out_.face_vertex_offsets[at++] = to;
+        const std::size_t begin = row.ringBegin(f), n = row.ringBegin(f + 1) - begin;
+        for (std::size_t k = leastIn(row.ring(f), n), count = 0; count < n; ++count) {
+          out_.face_vertices[to++] = number[at_end[begin + k]];
+          k = k + 1 == n ? 0 : k + 1;
+        }
+      }
+    };
   });
+  return glued;
+}
+
+/// Takes the numbers of vertices from the first of their cells; false if one is not to be found.
+bool Polyhedra::takeOthers(std::size_t site, const Row& row, const Earlier& earlier,
+                           const RowVertices& vertices, std::vector<std::uint32_t>& number) const {
+  const auto& at_end = vertices.atEnd();
+  for (std::size_t f = earlier.begin; f < earlier.end; ++f) {
+    const auto giver = static_cast<std::size_t>(row.neighbor[f]);
+    const Row other = cells_.rows[giver];
+    const Earlier before{earlier.begin, f};
+    const std::size_t begin = row.ringBegin(f), face = cells_.rows.faceOf(other, static_cast<Label>(site));
+    if (face == other.faces) return false;
+    const std::size_t other_begin = other.ringBegin(face);
+    const bool fit =
+        layOn(row, f, other, face, [&](std::size_t a, std::size_t b, std::size_t k, std::size_t at) {
+          if (before.has(a) || before.has(b)) return;
+          number[at_end[begin + k]] = numberAt(giver, other_begin + at);
+        });
+    if (!fit) return false;
+  }
+  return std::ranges::find(number, no_number) == number.end();
 }
 
 /// Writes the cells and walls that have faces at each vertex.
 void Polyhedra::writeSites() {
-  const std::size_t count = out_.vertices.size();
   auto& offsets = out_.vertex_site_offsets;
-  offsets.assign(count + 1, 0);
-  BigVector<std::uint8_t> walls_at(count, 0);
-  const auto forVerticesOfCells = [&](const auto& each) {
-    parallelFor(out_.size(), cells_in_part, threads_, [&](std::size_t begin, std::size_t end) {
-      std::vector<std::uint32_t> vertices;
-      for (std::size_t i = begin; i < end; ++i) {
-        const auto first = out_.face_vertex_offsets[out_.face_offsets[i]],
-                   last = out_.face_vertex_offsets[out_.face_offsets[i + 1]];
-        vertices.assign(out_.face_vertices.begin() + static_cast<std::ptrdiff_t>(first),
-                        out_.face_vertices.begin() + static_cast<std::ptrdiff_t>(last));
-        std::ranges::sort(vertices);
-        vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
-        each(i, vertices);
+  offsets.resize(std::size_t{first_.back()} + 1);
+  parallelEach(offsets.size(), vertices_in_part, threads_, [&](std::size_t v) { offsets[v] = 4 * v; });
+  tied_.countSites();
+  out_.vertex_sites.resize(offsets.back());
+  forPlainCells([&] {
+    return [&, vertices = RowVertices()](std::size_t i, const Row& row) mutable {
+      vertices.numberFromLeast(row);
+      const Earlier earlier = earlierFaces(i, row);
+      std::uint32_t next = first_[cells_.input[i]];
+      for (const auto& faces : vertices.faces()) {
+        if (earlier.hasNone(faces)) writeSitesOf(cells_, i, row, faces, &out_.vertex_sites[offsets[next++]]);
       }
-    });
-  };
-  forVerticesOfCells([&](std::size_t i, const std::vector<std::uint32_t>& vertices) {
-    for (const auto v : vertices) std::atomic_ref(offsets[v + 1]).fetch_add(1, std::memory_order_relaxed);
-    for (auto f = out_.face_offsets[i]; f < out_.face_offsets[i + 1]; ++f) {
-      if (!isWall(out_.neighbors[f])) break;
-      int wall = 0;
-      while (publicNumber(cells_, labelOfWall(wall)) != out_.neighbors[f]) ++wall;
-      for (auto k = out_.face_vertex_offsets[f]; k < out_.face_vertex_offsets[f + 1]; ++k)
-        std::atomic_ref(walls_at[out_.face_vertices[k]])
-            .fetch_or(wallBit(labelOfWall(wall)), std::memory_order_relaxed);
+    };
+  });
+  tied_.writeSites();
+}
+
+/// Writes the places of vertices of plain cells, from their sites: so that rows need not stay.
+void Polyhedra::writePlaces() {
+  BigVector<Label> run(out_.size());
+  parallelEach(cells_.input.size(), vertices_in_part, threads_,
+               [&](std::size_t i) { run[cells_.input[i]] = static_cast<Label>(i); });
+  out_.vertices.resize(first_.back());
+  parallelEach(cells_.input.size(), cells_in_part, threads_, [&](std::size_t i) {
+    if (isTied(static_cast<Label>(i))) return;
+    const std::uint32_t site = cells_.input[i];
+    for (std::uint32_t v = first_[site]; v < first_[site + 1]; ++v) {
+      std::array<Label, 4> labels{};
+      for (std::size_t k = 0; k < 4; ++k) {
+        const std::int64_t number = out_.vertex_sites[out_.vertex_site_offsets[v] + k];
+        labels[k] = isWall(number) ? labelOfPublicWall(number) : run[static_cast<std::size_t>(number)];
+      }
+      const Point3 p = canonicalPlace(cells_.places, labels);
+      out_.vertices[v] = {p.x * cells_.unit, p.y * cells_.unit, p.z * cells_.unit};
     }
   });
-  for (std::size_t v = 0; v < count; ++v)
-    offsets[v + 1] += offsets[v] + static_cast<std::uint64_t>(std::popcount(walls_at[v]));
-  out_.vertex_sites.resize(offsets[count]);
-  // While a vertex is filled, its offset runs on to that of the next.
-  forVerticesOfCells([&](std::size_t i, const std::vector<std::uint32_t>& vertices) {
-    for (const auto v : vertices) {
-      const auto at = std::atomic_ref(offsets[v]).fetch_add(1, std::memory_order_relaxed);
-      out_.vertex_sites[at] = static_cast<std::int64_t>(i);
-    }
-  });
-  parallelEach(count, vertices_in_part, threads_, [&](std::size_t v) {
-    for (int wall = 0; wall < walls; ++wall) {
-      if ((walls_at[v] & wallBit(labelOfWall(wall))) != 0)
-        out_.vertex_sites[offsets[v]++] = publicNumber(cells_, labelOfWall(wall));
-    }
-  });
-  for (std::size_t v = count; v > 0; --v) offsets[v] = offsets[v - 1];
-  offsets[0] = 0;
-  parallelEach(count, vertices_in_part, threads_, [&](std::size_t v) {
-    std::sort(out_.vertex_sites.begin() + static_cast<std::ptrdiff_t>(offsets[v]),
-              out_.vertex_sites.begin() + static_cast<std::ptrdiff_t>(offsets[v + 1]));
-  });
+  tied_.writePlaces();
 }
 
 }  // namespace vorpipe::space

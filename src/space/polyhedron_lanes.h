@@ -10,6 +10,8 @@ namespace vorpipe::space {
 /// Places of bins relative to one another, by ascending distance from a part of a bin.
 struct BinStep {
   std::int8_t x, y, z;
+  std::int8_t far;         ///< the largest of their magnitudes
+  std::int32_t ahead = 0;  ///< among bins as LaneBins has them
   float squared_distance;  ///< least, between the part and the bin, in sides of bins
 };
 
@@ -22,6 +24,8 @@ struct LaneBins {
   float side;                  ///< of a bin
   const std::uint32_t* begin;  ///< by bin, x first, then y: its first site
   const float *x, *y, *z;      ///< by site: relative to the corner of its bin
+  const double* places;        ///< by site: x, y, z, as double takes them
+  double low[3], high[3];      ///< the domain, likewise
   float corner[3];             ///< of bin (0, 0, 0), relative to that of the domain
   float extent[3];             ///< of the domain
   const BinStep* steps;        ///< for each part, x first: step_count of them
@@ -38,12 +42,15 @@ struct ProposedCell {
   std::uint8_t corner[64][4];  ///< by vertex: its faces, counter-clockwise seen from outside
 };
 
-/// Calls take(context, site, cell) for the sites of some bins, in order.
-using ProposeCells = void (*)(const LaneBins& bins, std::uint32_t bin_begin, std::uint32_t bin_end,
+/// Calls take(context, site, cell) for the sites from `first` to `last` - 1, the first of which is in `bin`.
+using ProposeCells = void (*)(const LaneBins& bins, std::uint32_t bin, std::uint32_t first,
+                              std::uint32_t last,
                               void (*take)(void* context, std::uint32_t site, const ProposedCell& cell),
                               void* context);
 
-/// The widest that the processor has. VORPIPE_LANES limits it.
-ProposeCells proposeCells();
+/// Float takes half of the time of double, which tells vertices apart that are 1e-6 as near to each other.
+/// The widest that the processor has; VORPIPE_LANES limits it.
+enum class Precision : std::uint8_t { in_float, in_double };
+ProposeCells proposeCells(Precision precision);
 
 }  // namespace vorpipe::space

@@ -1,5 +1,6 @@
-/// The vocabulary of shaders/glsl/polyhedron.glsl with VORPIPE_LANES vertices side by side. As lane_words.h,
-/// everything is in an anonymous namespace and uses no library templates.
+/// The vocabulary of shaders/glsl/polyhedron.glsl with VORPIPE_LANES vertices side by side: floats, or with
+/// VORPIPE_DOUBLES doubles, 8 of them. As lane_words.h, everything is in an anonymous namespace and uses no
+/// library templates.
 #pragma once
 
 #if defined(__x86_64__)
@@ -9,7 +10,13 @@
 #include <cstdint>
 
 #define SLOTS 64
+#ifdef VORPIPE_DOUBLES
+#define REAL double
+#define LANES 8
+#else
+#define REAL float
 #define LANES VORPIPE_LANES
+#endif
 #define MASK std::uint64_t
 #define NO_SLOT \
   std::uint64_t { 0 }
@@ -29,66 +36,79 @@
 namespace vorpipe::space {
 namespace {
 
-using lane_real [[gnu::vector_size(4 * VORPIPE_LANES)]] = float;
-using lane_truth [[gnu::vector_size(4 * VORPIPE_LANES)]] = std::int32_t;
+using lane_real [[gnu::vector_size(sizeof(REAL) * LANES)]] = REAL;
+using lane_int [[gnu::vector_size(4 * LANES)]] = std::int32_t;
 
-#if VORPIPE_LANES == 16
-constexpr lane_truth each_lane{0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15};
-#elif VORPIPE_LANES == 8
-constexpr lane_truth each_lane{0, 1, 2, 3, 4, 5, 6, 7};
+#if LANES == 16
+constexpr lane_int each_lane{0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15};
+#elif LANES == 8
+constexpr lane_int each_lane{0, 1, 2, 3, 4, 5, 6, 7};
 #else
-constexpr lane_truth each_lane{0, 1, 2, 3};
+constexpr lane_int each_lane{0, 1, 2, 3};
 #endif
 
-inline float max(float a, float b) { return a < b ? b : a; }
+inline REAL max(REAL a, REAL b) { return a < b ? b : a; }
 inline int min(int a, int b) { return b < a ? b : a; }
 inline int max(int a, int b) { return a < b ? b : a; }
 
-inline lane_real load(const float* from) {
+inline lane_real load(const REAL* from) {
   lane_real all;
   __builtin_memcpy(&all, from, sizeof all);
   return all;
 }
-inline lane_truth loadInts(const std::int32_t* from) {
-  lane_truth all;
+inline lane_int load(const std::int32_t* from) {
+  lane_int all;
   __builtin_memcpy(&all, from, sizeof all);
   return all;
 }
-inline void store(std::int32_t* to, const lane_truth& all) { __builtin_memcpy(to, &all, sizeof all); }
-inline void store(float* to, const lane_real& all) { __builtin_memcpy(to, &all, sizeof all); }
+inline void store(std::int32_t* to, const lane_int& all) { __builtin_memcpy(to, &all, sizeof all); }
+inline void store(REAL* to, const lane_real& all) { __builtin_memcpy(to, &all, sizeof all); }
 
-/// The truths of a comparison as bits. (One instruction with AVX-512: compilers emit three.)
-#if VORPIPE_LANES == 16
+/// The truths of a comparison, which are 0 or -1, as bits.
+template <class Truths>
+inline std::uint32_t truths(const Truths& all) {
+  std::uint32_t bits = 0;
+#if defined(__SSE2__)
+  constexpr int in_part = 16 * LANES / sizeof all;
+  __m128i part[sizeof all / 16];
+  __builtin_memcpy(part, &all, sizeof all);
+  for (int k = 0; k < LANES / in_part; ++k) {
+    const int of_part = in_part == 4 ? _mm_movemask_ps(_mm_castsi128_ps(part[k]))
+                                     : _mm_movemask_pd(_mm_castsi128_pd(part[k]));
+    bits |= static_cast<std::uint32_t>(of_part) << k * in_part;
+  }
+#else
+  for (int lane = 0; lane < LANES; ++lane) bits |= all[lane] != 0 ? 1U << lane : 0;
+#endif
+  return bits;
+}
+
+// With AVX-512 one instruction, of which compilers make three.
+#if defined(__AVX512F__) && defined(VORPIPE_DOUBLES)
+inline std::uint32_t less(const lane_real& a, const lane_real& b) {
+  return _mm512_cmp_pd_mask(reinterpret_cast<__m512d>(a), reinterpret_cast<__m512d>(b), _CMP_LT_OQ);
+}
+inline std::uint32_t less(const lane_int& a, const lane_int& b) { return truths(a < b); }
+#elif defined(__AVX512F__)
 inline std::uint32_t less(const lane_real& a, const lane_real& b) {
   return _mm512_cmp_ps_mask(reinterpret_cast<__m512>(a), reinterpret_cast<__m512>(b), _CMP_LT_OQ);
 }
-inline std::uint32_t less(const lane_truth& a, const lane_truth& b) {
+inline std::uint32_t less(const lane_int& a, const lane_int& b) {
   return _mm512_cmplt_epi32_mask(reinterpret_cast<__m512i>(a), reinterpret_cast<__m512i>(b));
 }
 #else
-inline std::uint32_t truths(const lane_truth& all) {
-#if VORPIPE_LANES == 8
-  return static_cast<std::uint32_t>(_mm256_movemask_ps(reinterpret_cast<__m256>(all)));
-#elif defined(__SSE2__)
-  return static_cast<std::uint32_t>(_mm_movemask_ps(reinterpret_cast<__m128>(all)));
-#else
-  std::uint32_t bits = 0;
-  for (int lane = 0; lane < VORPIPE_LANES; ++lane) bits |= all[lane] != 0 ? 1U << lane : 0;
-  return bits;
-#endif
-}
 inline std::uint32_t less(const lane_real& a, const lane_real& b) { return truths(a < b); }
-inline std::uint32_t less(const lane_truth& a, const lane_truth& b) { return truths(a < b); }
+inline std::uint32_t less(const lane_int& a, const lane_int& b) { return truths(a < b); }
 #endif
 
-inline float greatest(const lane_real& all) {
+inline REAL greatest(const lane_real& all) {
   lane_real most = all;
-#if VORPIPE_LANES == 16
+#if LANES == 16
   most = GREATER(most,
                  __builtin_shufflevector(most, most, 8, 9, 10, 11, 12, 13, 14, 15, 0, 1, 2, 3, 4, 5, 6, 7));
   most = GREATER(most, __builtin_shufflevector(most, most, 4, 5, 6, 7, 0, 1, 2, 3, 4, 5, 6, 7, 0, 1, 2, 3));
   most = GREATER(most, __builtin_shufflevector(most, most, 2, 3, 0, 1, 2, 3, 0, 1, 2, 3, 0, 1, 2, 3, 0, 1));
-#elif VORPIPE_LANES == 8
+#elif LANES == 8
   most = GREATER(most, __builtin_shufflevector(most, most, 4, 5, 6, 7, 0, 1, 2, 3));
   most = GREATER(most, __builtin_shufflevector(most, most, 2, 3, 0, 1, 2, 3, 0, 1));
 #else

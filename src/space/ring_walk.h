@@ -1,38 +1,17 @@
 /// What remains of a ring when some of its vertices become one.
 #pragma once
 
-#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
-
-#include "base/disjoint_sets.h"
-#include "space/shared_vertices.h"
 
 namespace vorpipe::space {
 
 /// A step along a ring: across an edge to the next vertex.
 struct RingStep {
   std::uint32_t edge_end;  ///< of the row; see RowVertices
-  std::uint32_t to;        ///< a vertex
+  std::uint32_t to;        ///< a vertex, or its name
 };
-
-/// The steps along the ring of a face between vertices that are not one, from the k-th edge end on.
-/// isNone(v): the ring goes straight on at vertex v.
-template <class IsNone>
-void walkRing(const SharedVertices& vertices, DisjointSets& sets, const IsNone& isNone, std::size_t cell,
-              const Row& row, std::size_t face, std::size_t k, std::vector<RingStep>& steps) {
-  steps.clear();
-  const std::size_t begin = row.ringBegin(face), n = row.ringBegin(face + 1) - begin;
-  for (std::size_t step = 0; step < n; ++step) {
-    const std::uint32_t to = sets.root(vertices.at(cell, begin + k));
-    if (!isNone(to) && (steps.empty() || steps.back().to != to))
-      steps.push_back({static_cast<std::uint32_t>(begin + k), to});
-    k = k + 1 == n ? 0 : k + 1;
-  }
-  while (steps.size() > 1 && steps.back().to == steps.front().to) steps.erase(steps.begin());
-  if (steps.size() == 1) steps.clear();
-}
 
 /// Shortens a closed walk, of which each step ends in another vertex than the one before, the last before the
 /// first. Where it goes to a vertex and straight back, the two edges are one and go: onePair(a, b) hears of

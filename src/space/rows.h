@@ -5,9 +5,11 @@
 #include <cstddef>
 #include <cstdint>
 #include <memory>
+#include <mutex>
 #include <span>
 #include <vector>
 
+#include "base/big_vector.h"
 #include "space/label.h"
 
 namespace vorpipe::space {
@@ -57,30 +59,58 @@ struct Row {
   }
 };
 
-/// Memory for rows that are written by one thread at a time, and kept.
-class RowArena {
+/// Memory in blocks, for several threads, which is given back at once.
+class BlockPool {
  public:
-  /// Bytes that are aligned for Label.
-  std::byte* get(std::size_t bytes);
+  static constexpr std::size_t block = std::size_t{1} << 16;
+  /// What is expected lies in one piece, so that it can be used again in one piece.
+  explicit BlockPool(std::size_t expected) : region_(expected) {}
+  /// A block, or more if so many bytes are needed.
+  std::span<std::byte> take(std::size_t bytes);
 
  private:
-  std::vector<std::unique_ptr<std::byte[]>> blocks_;
-  std::size_t left_ = 0;
-  std::byte* next_ = nullptr;
+  std::mutex mutex_;
+  BigVector<std::byte> region_;
+  std::size_t used_ = 0;
+  std::vector<std::unique_ptr<std::byte[]>> others_;
+};
+
+/// Where one thread writes rows.
+class RowArena {
+ public:
+  /// Bytes that are aligned for 8, out of `left` or a new block of the pool.
+  static std::byte* get(std::span<std::byte>& left, std::size_t bytes, BlockPool& pool);
+
+ private:
+  friend class Rows;
+  std::span<std::byte> neighbors_, rings_;
 };
 
 /// Rows of all sites of a run.
 class Rows {
  public:
-  explicit Rows(std::size_t sites) : at_(sites, nullptr) {}
+  /// Faces are kept in the order of their neighbors as the caller numbers them: walls first, zmax before
+  /// xmin, then sites by `input`. Without it, by their own index.
+  explicit Rows(std::size_t sites, std::span<const std::uint32_t> input = {});
   [[nodiscard]] std::size_t size() const { return at_.size(); }
   [[nodiscard]] Row operator[](std::size_t site) const;
   void prefetch(std::size_t site) const {
-    __builtin_prefetch(at_[site]);
-    __builtin_prefetch(at_[site] + 64);
-    __builtin_prefetch(at_[site] + 128);
+    __builtin_prefetch(at_[site].neighbors);
+    __builtin_prefetch(at_[site].neighbors + 64);
+    __builtin_prefetch(at_[site].rings);
+    __builtin_prefetch(at_[site].rings + 64);
   }
-  void clear(std::size_t site) { at_[site] = nullptr; }
+  /// The face of a neighbor, or row.faces if it is none: the same as row.faceOf(), also quick for many faces.
+  [[nodiscard]] std::size_t faceOf(const Row& row, Label label) const;
+  void clear(std::size_t site) { at_[site] = {}; }
+  /// Rows have no rings from then on.
+  void forgetRings() { ring_pool_.reset(); }
+  /// There are no rows from then on.
+  void forget() {
+    at_ = {};
+    ring_pool_.reset();
+    neighbor_pool_.reset();
+  }
 
   /// Sets the row of a site from its faces' neighbors and its vertices: three faces each, counter-clockwise
   /// seen from outside. Returns false, and clears the row, if they are no rings: one for each face, of three
@@ -93,10 +123,26 @@ class Rows {
            std::size_t vertex_count, RowArena& arena);
 
  private:
+  /// A header and the neighbors; where rings begin, and the rings.
+  struct At {
+    std::byte *neighbors = nullptr, *rings = nullptr;
+  };
   template <bool from_least, class Vertex>
   bool setSmall(std::size_t site, std::span<const Label> neighbors, const Vertex* vertices,
                 std::size_t vertex_count, RowArena& arena);
-  std::vector<std::byte*> at_;
+  template <class Number, class Entry, class Write>
+  bool write(std::size_t site, std::uint32_t faces, std::size_t vertices, RowArena& arena,
+             const Write& write);
+  /// By which faces are ordered.
+  [[nodiscard]] std::int32_t keyOf(Label label) const {
+    return isWallLabel(label) || input_.empty()
+               ? label
+               : static_cast<std::int32_t>(input_[static_cast<std::size_t>(label)]);
+  }
+
+  std::span<const std::uint32_t> input_;
+  std::vector<At> at_;
+  std::unique_ptr<BlockPool> neighbor_pool_, ring_pool_;
 };
 
 }  // namespace vorpipe::space

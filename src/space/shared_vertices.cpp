@@ -2,37 +2,22 @@
 
 #include <algorithm>
 #include <atomic>
+#include <limits>
 
 #include "base/parallel.h"
+#include "space/glue.h"
 
 namespace vorpipe::space {
 namespace {
 
 constexpr std::size_t cells_at_once = 512;
-constexpr std::uint32_t most_faces_to_look_through = 128;
 constexpr std::size_t most_vertices_in_bytes = 256;
 constexpr std::uint32_t not_yet = 0xffffffff;
+constexpr Label later = std::numeric_limits<Label>::max();
 
 Row rowAt(const Rows& rows, Label site) { return rows[static_cast<std::size_t>(site)]; }
 
 }  // namespace
-
-FaceFinder::FaceFinder(const Rows& rows, std::span<const Label> cells) {
-  for (const Label site : cells) {
-    const Row row = rowAt(rows, site);
-    if (row.faces <= most_faces_to_look_through) continue;
-    auto& index = large_[site];
-    for (std::uint32_t f = 0; f < row.faces; ++f) index.emplace_back(row.neighbor[f], f);
-    std::ranges::sort(index);
-  }
-}
-
-std::size_t FaceFinder::faceOf(Label site, const Row& row, Label neighbor) const {
-  if (row.faces <= most_faces_to_look_through) return row.faceOf(neighbor);
-  const auto& index = large_.at(site);
-  const auto at = std::ranges::lower_bound(index, std::pair(neighbor, std::uint32_t{0}));
-  return at == index.end() || at->first != neighbor ? row.faces : at->second;
-}
 
 Result<SharedVertices> SharedVertices::of(const Rows& rows, std::vector<Label> cells, int threads) {
   SharedVertices shared;
@@ -45,7 +30,7 @@ Result<SharedVertices> SharedVertices::of(const Rows& rows, std::vector<Label> c
 }
 
 void SharedVertices::layOut(const Rows& rows) {
-  if (cells_.size() != rows.size()) {
+  if (!cells_.empty() && cells_.size() != rows.size()) {
     place_.assign(rows.size(), nowhere);
     for (std::uint32_t c = 0; c < cells_.size(); ++c) place_[static_cast<std::size_t>(cells_[c])] = c;
   }
@@ -66,24 +51,39 @@ void SharedVertices::layOut(const Rows& rows) {
   large_.resize(large);
 }
 
+/// By face: the neighbor if its cell comes before, and numbers the vertices that both have; else `later`.
+void SharedVertices::findEarlier(Label site, const Row& row, std::vector<Label>& earlier) const {
+  earlier.resize(row.faces);
+  for (std::size_t f = 0; f < row.faces; ++f) {
+    const Label label = row.neighbor[f];
+    earlier[f] = !isWallLabel(label) && label < site && cellOf(label) != nowhere ? label : later;
+  }
+}
+
 void SharedVertices::numberOwn(const Rows& rows, int threads) {
   own_begin_.assign(cells_.size() + 1, 0);
   parallelFor(cells_.size(), cells_at_once, threads, [&](std::size_t begin, std::size_t end) {
     RowVertices vertices;
+    std::vector<Label> earlier;
     for (std::size_t c = begin; c < end; ++c) {
       const Row row = rowAt(rows, cells_[c]);
       vertices.number(row);
-      const auto& at_end = vertices.atEnd();
+      findEarlier(cells_[c], row, earlier);
+      const auto* const at_end = vertices.atEnd().data();
       const std::uint64_t ends = end_begin_[c];
       if ((ends & is_large) != 0) {
-        std::ranges::copy(at_end, large_.begin() + static_cast<std::ptrdiff_t>(ends & ~is_large));
+        std::copy_n(at_end, row.edge_ends, large_.data() + (ends & ~is_large));
       } else {
-        for (std::size_t e = 0; e < at_end.size(); ++e)
-          small_[ends + e] = static_cast<std::uint8_t>(at_end[e]);
+        auto* const small = small_.data() + ends;
+        for (std::size_t e = 0; e < row.edge_ends; ++e) small[e] = static_cast<std::uint8_t>(at_end[e]);
       }
       std::uint32_t own = 0;
+      auto* const vertex = vertex_.data() + vertex_begin_[c];
       for (std::size_t v = 0; v < vertices.size(); ++v) {
-        vertex_[vertex_begin_[c] + v] = isOwn(cells_[c], row, vertices.faces()[v]) ? own++ : not_yet;
+        const auto& [f, a, b] = vertices.faces()[v];
+        const bool is_own = std::min({earlier[f], earlier[a], earlier[b]}) == later;
+        vertex[v] = is_own ? own : not_yet;
+        own += is_own ? 1 : 0;
       }
       own_begin_[c + 1] = own;
     }
@@ -99,53 +99,35 @@ void SharedVertices::numberOwn(const Rows& rows, int threads) {
 }
 
 bool SharedVertices::takeOthers(const Rows& rows, int threads) {
-  const FaceFinder finder(rows, cells_);
   std::atomic<bool> glued = true;
   parallelFor(cells_.size(), cells_at_once, threads, [&](std::size_t begin, std::size_t end) {
+    std::vector<Label> earlier;
     for (std::size_t c = begin; c < end; ++c) {
-      const Label site = cells_[c];
-      const Row row = rowAt(rows, site);
-      for (std::size_t f = 0; f < row.faces; ++f) {
-        const Label label = row.neighbor[f];
-        if (isWallLabel(label) || label > site) continue;
-        const std::uint32_t other_cell = cellOf(label);
-        if (other_cell == nowhere) continue;
-        const Row other = rowAt(rows, label);
-        if (!takeFrom(c, f, row, other_cell, finder.faceOf(label, other, site), other)) glued = false;
-      }
+      const Row row = rowAt(rows, cells_[c]);
+      findEarlier(cells_[c], row, earlier);
+      bool whole = true;
+      for (std::size_t f = 0; f < row.faces && whole; ++f)
+        whole = earlier[f] == later || takeFrom(c, f, row, earlier, rows);
+      if (!whole || std::ranges::find(of(c), not_yet) != of(c).end()) glued = false;
     }
   });
-  return glued && std::ranges::find(vertex_, not_yet) == vertex_.end();
+  return glued;
 }
 
 /// Takes the numbers of those vertices of a face that the other cell has numbered itself.
-bool SharedVertices::takeFrom(std::size_t cell, std::size_t face, const Row& row, std::size_t other_cell,
-                              std::size_t other_face, const Row& other) {
-  if (other_face == other.faces) return false;
-  const Ring ring = row.ring(face), reverse = other.ring(other_face);
-  const std::size_t n = ring.size();
-  if (reverse.size() != n) return false;
-  // The vertex between ring[k] and ring[k + 1] is that between ring[k + 1] and ring[k] of the other.
-  std::size_t at = 0;
-  while (at < n && other.neighbor[reverse[at]] != row.neighbor[ring[1]]) ++at;
-  if (at == n) return false;
-  const std::size_t begin = row.ringBegin(face), other_begin = other.ringBegin(other_face);
+bool SharedVertices::takeFrom(std::size_t cell, std::size_t face, const Row& row,
+                              const std::vector<Label>& earlier, const Rows& rows) {
   const Label giver = row.neighbor[face];
-  const auto precedes = [&](std::size_t f) {
-    const Label label = row.neighbor[f];
-    return !isWallLabel(label) && label < giver && cellOf(label) != nowhere;
-  };
-  bool before = precedes(ring[0]);
-  for (std::size_t k = 0; k < n; ++k) {
-    const bool after = precedes(ring[k + 1 == n ? 0 : k + 1]);
-    if (!before && !after) {
-      const std::uint32_t vertex = this->at(other_cell, other_begin + at);
-      vertex_[vertex_begin_[cell] + vertexInCell(cell, begin + k)] = vertex;
-    }
-    before = after;
-    at = at == 0 ? n - 1 : at - 1;
-  }
-  return true;
+  const Row other = rowAt(rows, giver);
+  const std::size_t other_cell = cellOf(giver), other_face = rows.faceOf(other, cells_[cell]);
+  if (other_face == other.faces) return false;
+  const std::size_t begin = row.ringBegin(face), other_begin = other.ringBegin(other_face);
+  auto* const vertex = vertex_.data() + vertex_begin_[cell];
+  return layOn(row, face, other, other_face,
+               [&](std::size_t a, std::size_t b, std::size_t k, std::size_t other_k) {
+                 if (std::min(earlier[a], earlier[b]) < giver) return;
+                 vertex[vertexInCell(cell, begin + k)] = at(other_cell, other_begin + other_k);
+               });
 }
 
 void SharedVertices::forgetEnds() {

@@ -3,8 +3,6 @@
 
 #include <cstdint>
 #include <span>
-#include <unordered_map>
-#include <utility>
 #include <vector>
 
 #include "base/big_vector.h"
@@ -14,17 +12,6 @@
 #include "vorpipe/result.h"
 
 namespace vorpipe::space {
-
-/// Finds faces in rows by their neighbors; in rows of many faces by an index that it keeps.
-class FaceFinder {
- public:
-  FaceFinder(const Rows& rows, std::span<const Label> cells);
-  /// `faces` of the row if there is none.
-  [[nodiscard]] std::size_t faceOf(Label site, const Row& row, Label neighbor) const;
-
- private:
-  std::unordered_map<Label, std::vector<std::pair<Label, std::uint32_t>>> large_;
-};
 
 /// The vertices of some cells of a run, numbered from 0: by the least of their sites among these cells, then
 /// as RowVertices does. Cells are named by their places in the list of them.
@@ -40,11 +27,28 @@ class SharedVertices {
   /// The place of a site in the list of cells, or `nowhere`.
   static constexpr std::uint32_t nowhere = 0xffffffff;
   [[nodiscard]] std::uint32_t cellOf(Label site) const {
+    if (cells_.empty()) return nowhere;
     return place_.empty() ? static_cast<std::uint32_t>(site) : place_[static_cast<std::size_t>(site)];
   }
   /// The vertex at an edge end of a cell; see RowVertices.
   [[nodiscard]] std::uint32_t at(std::size_t cell, std::size_t edge_end) const {
     return vertex_[vertex_begin_[cell] + vertexInCell(cell, edge_end)];
+  }
+  /// The vertices of a cell, as RowVertices numbers them.
+  [[nodiscard]] std::span<const std::uint32_t> of(std::size_t cell) const {
+    return std::span(vertex_).subspan(vertex_begin_[cell], vertex_begin_[cell + 1] - vertex_begin_[cell]);
+  }
+  /// Calls each(edge end, vertex) with the number of the vertex in the cell.
+  template <class Each>
+  void forEnds(std::size_t cell, std::size_t ends, const Each& each) const {
+    const std::uint64_t begin = end_begin_[cell];
+    if ((begin & is_large) != 0) {
+      const auto* const large = large_.data() + (begin & ~is_large);
+      for (std::size_t e = 0; e < ends; ++e) each(e, large[e]);
+    } else {
+      const auto* const small = small_.data() + begin;
+      for (std::size_t e = 0; e < ends; ++e) each(e, small[e]);
+    }
   }
   /// The first of the vertices that no other cell has numbered, whose numbers follow one another.
   [[nodiscard]] std::uint32_t ownBegin(std::size_t cell) const { return own_begin_[cell]; }
@@ -68,8 +72,9 @@ class SharedVertices {
   void layOut(const Rows& rows);
   void numberOwn(const Rows& rows, int threads);
   bool takeOthers(const Rows& rows, int threads);
-  bool takeFrom(std::size_t cell, std::size_t face, const Row& row, std::size_t other_cell,
-                std::size_t other_face, const Row& other);
+  bool takeFrom(std::size_t cell, std::size_t face, const Row& row, const std::vector<Label>& earlier,
+                const Rows& rows);
+  void findEarlier(Label site, const Row& row, std::vector<Label>& earlier) const;
 
   static constexpr std::uint64_t is_large = std::uint64_t{1} << 63;
   std::vector<Label> cells_;

@@ -67,13 +67,13 @@ class EdgeSearch {
     const double tie =
         tie_part * std::sqrt(squaredLeast(row.neighbor[face], row.neighbor[other], face, other));
     if (length - error > tie) return;
-    const auto edge_end = static_cast<std::uint32_t>(end);
+    ShortEdge edge{site_, static_cast<std::uint32_t>(end), static_cast<std::uint32_t>(end_before), 0};
     constexpr double known = 1e-4;
     if (error <= known * tie && length + error <= no_length * tie) {
-      found.push_back({site_, edge_end, static_cast<float>(length / tie)});
+      edge.part = static_cast<float>(length / tie);
+      found.push_back(edge);
       return;
     }
-    ShortEdge edge{site_, edge_end, 0};
     const double part = lengthInTies(places_, rows_, edge, no_length * known);
     if (part > 1) return;
     edge.part = static_cast<float>(part);
@@ -114,8 +114,12 @@ EdgeAround edgeAround(const Row& row, std::size_t edge_end) {
   around.other = ring[k];
   around.before = ring[k == 0 ? n - 1 : k - 1];
   around.after = ring[k + 1 == n ? 0 : k + 1];
-  around.end_before = begin + (k == 0 ? n - 1 : k - 1);
   return around;
+}
+
+EdgeLabels labelsAround(const Row& row, Label site, std::size_t edge_end) {
+  const EdgeAround around = edgeAround(row, edge_end);
+  return edgeLabels(site, row.neighbor[around.face], row.neighbor[around.other]);
 }
 
 double tieOf(const Places& places, const EdgeLabels& labels) {

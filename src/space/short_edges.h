@@ -21,18 +21,19 @@ constexpr float no_length = 1e-3F;
 /// An edge that is not longer than a tie between three of its labels: two sites at least, or a site and
 /// walls.
 struct ShortEdge {
-  Label site;              ///< the least whose cell was asked
-  std::uint32_t edge_end;  ///< of its row; see RowVertices
-  float part;              ///< its length in such ties, at most 1
+  Label site;                          ///< the least whose cell was asked
+  std::uint32_t edge_end, end_before;  ///< of its row; see RowVertices
+  float part;                          ///< its length in such ties, at most 1
 };
 
 /// What stands around an edge end of a row: the edge lies between faces `face` and `other`, and leads from a
 /// vertex with face `before` to one with face `after`.
 struct EdgeAround {
   std::size_t face, other, before, after;
-  std::size_t end_before;  ///< the edge end of the vertex that it comes from
 };
 EdgeAround edgeAround(const Row& row, std::size_t edge_end);
+/// The labels around the edge.
+EdgeLabels labelsAround(const Row& row, Label site, std::size_t edge_end);
 
 /// The longest tie between these labels, one of which is a site: what the distance of two sites or, with a
 /// wall, the shortest side of the box allows.

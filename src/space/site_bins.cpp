@@ -85,13 +85,17 @@ std::vector<BinStep> stepsAround(const std::array<int, 3>& part) {
   std::vector<BinStep> steps;
   for (const Step& step : all) {
     steps.push_back({static_cast<std::int8_t>(step.by[0]), static_cast<std::int8_t>(step.by[1]),
-                     static_cast<std::int8_t>(step.by[2]), static_cast<float>(step.least)});
+                     static_cast<std::int8_t>(step.by[2]),
+                     static_cast<std::int8_t>(
+                         std::max({std::abs(step.by[0]), std::abs(step.by[1]), std::abs(step.by[2])})),
+                     0, static_cast<float>(step.least)});
   }
   return steps;
 }
 
-/// The same for all parts, x first. Those of the upper half along an axis are mirrored.
-std::vector<BinStep> orderOfSteps() {
+/// The same for all parts, x first. Those of the upper half along an axis are mirrored. `count` is that of
+/// bins.
+std::vector<BinStep> orderOfSteps(const int (&count)[3]) {
   constexpr int half = parts_of_bin / 2;
   std::array<std::vector<BinStep>, half * half * half> lower;
   for (int k = 0; k < half * half * half; ++k) {
@@ -109,8 +113,9 @@ std::vector<BinStep> orderOfSteps() {
       of_lower = of_lower * half + (at < half ? at : parts_of_bin - 1 - at);
     }
     for (const BinStep& step : lower[static_cast<std::size_t>(of_lower)]) {
-      steps.push_back({static_cast<std::int8_t>(sign[0] * step.x), static_cast<std::int8_t>(sign[1] * step.y),
-                       static_cast<std::int8_t>(sign[2] * step.z), step.squared_distance});
+      const int x = sign[0] * step.x, y = sign[1] * step.y, z = sign[2] * step.z;
+      steps.push_back({static_cast<std::int8_t>(x), static_cast<std::int8_t>(y), static_cast<std::int8_t>(z),
+                       step.far, (z * count[1] + y) * count[0] + x, step.squared_distance});
     }
   }
   return steps;
@@ -126,14 +131,7 @@ std::vector<std::uint32_t> sortByBin(SiteBins& bins, std::span<const Point3> sit
                                 static_cast<std::size_t>(bins.count[1]) *
                                 static_cast<std::size_t>(bins.count[2]);
   BigVector<std::uint32_t> bin_of(sites.size());
-  parallelEach(sites.size(), grain, threads, [&](std::size_t i) {
-    const auto [x, y, z] = bins.binOf(sites[i]);
-    bin_of[i] =
-        static_cast<std::uint32_t>((static_cast<std::size_t>(z) * static_cast<std::size_t>(bins.count[1]) +
-                                    static_cast<std::size_t>(y)) *
-                                       static_cast<std::size_t>(bins.count[0]) +
-                                   static_cast<std::size_t>(x));
-  });
+  parallelEach(sites.size(), grain, threads, [&](std::size_t i) { bin_of[i] = bins.indexOfBin(sites[i]); });
   bins.begin.assign(bin_count + 1, 0);
   for (const std::uint32_t bin : bin_of) ++bins.begin[bin + 1];
   std::partial_sum(bins.begin.begin(), bins.begin.end(), bins.begin.begin());
@@ -197,6 +195,25 @@ std::array<int, 3> SiteBins::binOf(const Point3& site) const {
           binAlong(*this, 2, site.z - corner.z)};
 }
 
+std::vector<BinLine> SiteBins::linesOfCubes() const {
+  constexpr int edge = 8;
+  std::vector<BinLine> lines;
+  for (int cube_z = 0; cube_z < count[2]; cube_z += edge) {
+    for (int cube_y = 0; cube_y < count[1]; cube_y += edge) {
+      for (int cube_x = 0; cube_x < count[0]; cube_x += edge) {
+        for (int layer = cube_z; layer < std::min(cube_z + edge, count[2]); ++layer) {
+          for (int row = cube_y; row < std::min(cube_y + edge, count[1]); ++row) {
+            const int line = (layer * count[1] + row) * count[0], end = std::min(cube_x + edge, count[0]);
+            lines.push_back(
+                {static_cast<std::uint32_t>(line + cube_x), static_cast<std::uint32_t>(line + end)});
+          }
+        }
+      }
+    }
+  }
+  return lines;
+}
+
 LaneBins SiteBins::lanes() const {
   LaneBins bins{};
   for (int a = 0; a < 3; ++a) bins.count[a] = count[a];
@@ -205,6 +222,10 @@ LaneBins SiteBins::lanes() const {
   bins.x = x.data();
   bins.y = y.data();
   bins.z = z.data();
+  bins.places = &sites.data()->x;
+  const double low[3] = {box.xmin, box.ymin, box.zmin}, high[3] = {box.xmax, box.ymax, box.zmax};
+  std::copy(low, low + 3, bins.low);
+  std::copy(high, high + 3, bins.high);
   bins.corner[0] = static_cast<float>(corner.x - box.xmin);
   bins.corner[1] = static_cast<float>(corner.y - box.ymin);
   bins.corner[2] = static_cast<float>(corner.z - box.zmin);
@@ -244,7 +265,7 @@ SiteBins binSites(std::span<const Point3> callers, const Box3& domain, int threa
     bins.y[k] = static_cast<float>(p.y - bins.corner.y - y * bins.side);
     bins.z[k] = static_cast<float>(p.z - bins.corner.z - z * bins.side);
   });
-  bins.steps = orderOfSteps();
+  bins.steps = orderOfSteps(bins.count);
   return bins;
 }
 

@@ -13,6 +13,11 @@
 
 namespace vorpipe::space {
 
+/// Bins that follow one another, from `begin` to `end` - 1.
+struct BinLine {
+  std::uint32_t begin, end;
+};
+
 /// Sites of the caller as a run uses them.
 struct SiteBins {
   double scale = 1;         ///< a power of two: coordinates of a run are those of the caller times this
@@ -32,6 +37,14 @@ struct SiteBins {
   [[nodiscard]] LaneBins lanes() const;
   /// The bin of a site, along each axis.
   [[nodiscard]] std::array<int, 3> binOf(const Point3& site) const;
+  /// The same as one number: as `begin` has them.
+  [[nodiscard]] std::uint32_t indexOfBin(const Point3& site) const {
+    const auto bin = binOf(site);
+    return static_cast<std::uint32_t>((bin[2] * count[1] + bin[1]) * count[0] + bin[0]);
+  }
+  /// All bins, in cubes of 8 x 8 x 8: what is done in this order finds what it knows of sites around in
+  /// memory that was used shortly before.
+  [[nodiscard]] std::vector<BinLine> linesOfCubes() const;
   [[nodiscard]] std::uint32_t bins() const { return static_cast<std::uint32_t>(begin.size() - 1); }
 };
 

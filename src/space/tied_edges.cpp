@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "base/parallel.h"
+#include "space/glue.h"
 #include "space/place.h"
 #include "space/ring_walk.h"
 
@@ -19,108 +20,138 @@ constexpr double step_of_fineness = 1.0 / 64;
 
 Row rowOf(const Rows& rows, Label site) { return rows[static_cast<std::size_t>(site)]; }
 
-/// Where a third stands in the ring of a face.
-std::size_t placeIn(const Ring& ring, std::size_t third) {
-  std::size_t k = 0;
-  while (ring[k] != third) ++k;
-  return k;
-}
-
 }  // namespace
 
-TiedEdges::Ends TiedEdges::endsOf(const ShortEdge& edge) const {
-  const Row row = rowOf(rows_, edge.site);
-  const std::size_t cell = vertices_.cellOf(edge.site);
-  return {vertices_.at(cell, edgeAround(row, edge.edge_end).end_before), vertices_.at(cell, edge.edge_end)};
+TiedEdges::TiedEdges(const Places& places, const Rows& rows, const SharedVertices& vertices,
+                     std::vector<ShortEdge> edges, int threads)
+    : places_(places),
+      rows_(rows),
+      vertices_(vertices),
+      edges_(std::move(edges)),
+      ends_(edges_.size()),
+      threads_(threads) {
+  parallelEach(edges_.size(), edges_at_once, threads_, [&](std::size_t e) {
+    const std::size_t cell = vertices_.cellOf(edges_[e].site);
+    ends_[e] = {vertices_.at(cell, edges_[e].end_before), vertices_.at(cell, edges_[e].edge_end)};
+  });
 }
 
-EdgeLabels TiedEdges::labelsOf(Label site, std::size_t edge_end) const {
-  const Row row = rowOf(rows_, site);
-  const EdgeAround around = edgeAround(row, edge_end);
-  return edgeLabels(site, row.neighbor[around.face], row.neighbor[around.other]);
-}
-
-double TiedEdges::finenessAt(const Ends& ends) const {
+double TiedEdges::finenessAt(std::size_t edge) const {
   if (finer_.empty()) return 1;
-  const auto at = [&](std::uint32_t vertex) {
-    const auto found = finer_.find(vertex);
-    return found == finer_.end() ? 0 : static_cast<int>(found->second);
-  };
-  return std::pow(step_of_fineness, std::max(at(ends.from), at(ends.to)));
+  constexpr double step = step_of_fineness;
+  constexpr double after[finest + 1] = {
+      1, step, step * step, step * step * step, step * step * step * step, step * step * step * step * step};
+  return after[std::max(finer_[ends_[edge].from], finer_[ends_[edge].to])];
 }
 
-std::uint64_t TiedEdges::join(DisjointSets& sets) {
+struct TiedEdges::Candidates {
+  std::vector<std::uint32_t> edges;  ///< ascending
+  std::vector<std::uint32_t> begin;  ///< by cell: where those of its site are
+  std::vector<EdgeLabels> labels;    ///< by candidate
+
+  static constexpr std::uint32_t none = 0xffffffff;
+  /// The candidate between faces of a cell, or none.
+  [[nodiscard]] std::uint32_t find(const SharedVertices& vertices, const EdgeLabels& edge) const {
+    for (const Label label : edge) {
+      if (isWallLabel(label)) continue;
+      const std::uint32_t cell = vertices.cellOf(label);
+      if (cell == SharedVertices::nowhere) continue;
+      for (std::uint32_t c = begin[cell]; c < begin[cell + 1]; ++c) {
+        if (labels[c] == edge) return c;
+      }
+    }
+    return none;
+  }
+};
+
+/// Joins the ends of edges without length; returns those that are longer, but not longer than a tie.
+std::vector<std::uint32_t> TiedEdges::joinShortest(DisjointSets& sets) const {
   const std::size_t blocks = (edges_.size() + edges_at_once - 1) / edges_at_once;
   std::vector<std::vector<std::uint32_t>> longer(blocks);
   parallelFor(edges_.size(), edges_at_once, threads_, [&](std::size_t begin, std::size_t end) {
     for (std::size_t e = begin; e < end; ++e) {
-      const Ends ends = endsOf(edges_[e]);
-      const double fineness = finenessAt(ends);
+      const double fineness = finenessAt(e);
       if (edges_[e].part <= no_length * fineness) {
-        sets.join(ends.from, ends.to);
+        sets.join(ends_[e].from, ends_[e].to);
       } else if (edges_[e].part <= fineness) {
         longer[e / edges_at_once].push_back(static_cast<std::uint32_t>(e));
       }
     }
   });
-  std::vector<std::uint32_t> candidates;
-  for (const auto& part : longer) candidates.insert(candidates.end(), part.begin(), part.end());
-  std::uint64_t ties = 0;
-  for (const auto& edge : edges_)
-    ties += edge.part <= no_length * finenessAt(finer_.empty() ? Ends{} : endsOf(edge));
-  if (candidates.empty()) return ties;
+  std::vector<std::uint32_t> all;
+  for (const auto& part : longer) all.insert(all.end(), part.begin(), part.end());
+  return all;
+}
 
-  std::vector<std::pair<EdgeLabels, std::uint32_t>> sorted;
-  for (const auto e : candidates) sorted.emplace_back(labelsOf(edges_[e].site, edges_[e].edge_end), e);
-  std::ranges::sort(sorted);
-  std::vector<EdgeLabels> labels;
-  for (std::size_t c = 0; c < sorted.size(); ++c) {
-    labels.push_back(sorted[c].first);
-    candidates[c] = sorted[c].second;
+std::uint64_t TiedEdges::join(DisjointSets& sets) {
+  Candidates candidates;
+  candidates.edges = joinShortest(sets);
+  std::uint64_t ties = 0;
+  for (std::size_t e = 0; e < edges_.size(); ++e) ties += edges_[e].part <= no_length * finenessAt(e);
+  if (candidates.edges.empty()) return ties;
+
+  candidates.begin.assign(vertices_.cells().size() + 1, 0);
+  for (const auto e : candidates.edges) ++candidates.begin[vertices_.cellOf(edges_[e].site) + 1];
+  for (std::size_t c = 0; c + 1 < candidates.begin.size(); ++c)
+    candidates.begin[c + 1] += candidates.begin[c];
+  candidates.labels.resize(candidates.edges.size());
+  parallelEach(candidates.edges.size(), edges_at_once, threads_, [&](std::size_t c) {
+    const ShortEdge& edge = edges_[candidates.edges[c]];
+    candidates.labels[c] = labelsAround(rowOf(rows_, edge.site), edge.site, edge.edge_end);
+  });
+  EdgeClasses classes(candidates.edges.size());
+  for (const auto& [candidate, other] : findOnes(sets, candidates)) {
+    if (other == Candidates::none) {
+      classes.open(candidate);
+    } else {
+      classes.join(candidate, other);
+    }
   }
-  EdgeClasses classes(std::move(labels));
-  joinOnes(sets, candidates, classes);
   // The sites around edges that are one lie on a circle, where the two nearest stand side by side, around one
   // of the edges: a class is not longer than their tie if each of its edges is not longer than its own.
-  for (std::uint32_t c = 0; c < candidates.size(); ++c) {
+  for (std::uint32_t c = 0; c < candidates.edges.size(); ++c) {
     if (!classes.isWhole(c)) continue;
-    const Ends ends = endsOf(edges_[candidates[c]]);
-    sets.join(ends.from, ends.to);
+    sets.join(ends_[candidates.edges[c]].from, ends_[candidates.edges[c]].to);
     ++ties;
   }
   return ties;
 }
 
-/// Joins those candidates that are one with another edge, at each of the faces beside them.
-void TiedEdges::joinOnes(DisjointSets& sets, const std::vector<std::uint32_t>& candidates,
-                         EdgeClasses& classes) const {
-  const std::size_t blocks = (candidates.size() + edges_at_once - 1) / edges_at_once;
-  std::vector<std::vector<std::array<EdgeLabels, 2>>> pairs(blocks);
-  parallelFor(candidates.size(), edges_at_once, threads_, [&](std::size_t begin, std::size_t end) {
-    std::vector<RingStep> steps;
-    for (std::size_t c = begin; c < end; ++c) {
-      const EdgeLabels labels = classes.edges()[c];
-      for (std::size_t out = 0; out < 3; ++out) {
-        // The face between two of the labels, in the cell of the site that has fewer faces.
-        Label other = labels[out == 0 ? 1 : 0], site = labels[out == 2 ? 1 : 2];
-        if (isWallLabel(site)) continue;
-        if (!isWallLabel(other) && rowOf(rows_, other).faces < rowOf(rows_, site).faces)
-          std::swap(other, site);
-        const Row row = rowOf(rows_, site);
-        const std::size_t face = row.faceOf(other), third = row.faceOf(labels[out]);
-        const auto own = static_cast<std::uint32_t>(row.ringBegin(face) + placeIn(row.ring(face), third));
-        walkRing(
-            vertices_, sets, [](auto) { return false; }, vertices_.cellOf(site), row, face, 0, steps);
-        shorten(steps, [&](const RingStep& a, const RingStep& b) {
-          if (a.edge_end != own && b.edge_end != own) return;
-          const std::uint32_t one = a.edge_end == own ? b.edge_end : a.edge_end;
-          pairs[c / edges_at_once].push_back({labels, labelsOf(site, one)});
-        });
-      }
-    }
+/// Finds those candidates that are one with another edge, at a face beside them.
+std::vector<TiedEdges::Pair> TiedEdges::findOnes(DisjointSets& sets, const Candidates& candidates) const {
+  constexpr std::size_t cells_at_once = 256;
+  const std::size_t cells = vertices_.cells().size();
+  std::vector<std::vector<Pair>> pairs((cells + cells_at_once - 1) / cells_at_once);
+  parallelFor(cells, cells_at_once, threads_, [&](std::size_t begin, std::size_t end) {
+    CellWalk walk(vertices_, sets);
+    for (std::size_t c = begin; c < end; ++c) findOnesOf(c, walk, candidates, pairs[c / cells_at_once]);
   });
-  for (const auto& part : pairs) {
-    for (const auto& [edge, other] : part) classes.join(edge, other);
+  std::vector<Pair> all;
+  for (const auto& part : pairs) all.insert(all.end(), part.begin(), part.end());
+  return all;
+}
+
+/// Each face is looked at in the cell of the site that has fewer faces.
+void TiedEdges::findOnesOf(std::size_t cell, CellWalk& walk, const Candidates& candidates,
+                           std::vector<Pair>& pairs) const {
+  const Label site = vertices_.cells()[cell];
+  const Row row = rowOf(rows_, site);
+  walk.take(cell, row, [](std::uint32_t) { return false; });
+  if (walk.names() == vertices_.of(cell).size()) return;
+  for (std::size_t f = 0; f < row.faces; ++f) {
+    const Label other = row.neighbor[f];
+    if (!isWallLabel(other)) {
+      const std::uint32_t faces = rowOf(rows_, other).faces;
+      if (faces < row.faces || (faces == row.faces && other > site)) continue;
+    }
+    auto& steps = walk.walk(row, f, 0);
+    if (steps.size() != 2 && !walk.visitsAgain()) continue;
+    shorten(steps, [&](const RingStep& a, const RingStep& b) {
+      std::uint32_t one = candidates.find(vertices_, labelsAround(row, site, a.edge_end)),
+                    two = candidates.find(vertices_, labelsAround(row, site, b.edge_end));
+      if (one == Candidates::none) std::swap(one, two);
+      if (one != Candidates::none) pairs.push_back({one, two});
+    });
   }
 }
 
@@ -130,9 +161,8 @@ std::vector<std::uint32_t> TiedEdges::findWide(DisjointSets& sets) const {
   std::vector<std::uint32_t> length(edges_.empty() ? 0 : vertices_.size(), 0);
   const auto forJoined = [&](const auto& each) {
     for (std::uint32_t e = 0; e < edges_.size(); ++e) {
-      const Ends ends = endsOf(edges_[e]);
-      const std::uint32_t root = sets.root(ends.from);
-      if (root == sets.root(ends.to)) each(e, root);
+      const std::uint32_t root = sets.root(ends_[e].from);
+      if (root == sets.root(ends_[e].to)) each(e, root);
     }
   };
   bool any = false;
@@ -187,24 +217,23 @@ bool TiedEdges::isWide(std::span<const std::uint32_t> edges) const {
 
 bool TiedEdges::makeFiner(DisjointSets& sets, std::span<const std::uint32_t> became) {
   std::vector<std::uint32_t> vertices;
-  for (auto& edge : edges_) {
-    const Ends ends = endsOf(edge);
-    const std::uint32_t root = sets.root(ends.from);
-    if (!std::ranges::binary_search(became, root) && !std::ranges::binary_search(became, sets.root(ends.to)))
+  for (std::size_t e = 0; e < edges_.size(); ++e) {
+    const auto [from, to] = ends_[e];
+    if (!std::ranges::binary_search(became, sets.root(from)) &&
+        !std::ranges::binary_search(became, sets.root(to)))
       continue;
-    vertices.push_back(ends.from);
-    vertices.push_back(ends.to);
-    edge.part = static_cast<float>(
-        lengthInTies(places_, rows_, edge, 0.1 * no_length * std::pow(step_of_fineness, finest)));
+    vertices.push_back(from);
+    vertices.push_back(to);
+    edges_[e].part = static_cast<float>(
+        lengthInTies(places_, rows_, edges_[e], 0.1 * no_length * std::pow(step_of_fineness, finest)));
   }
   std::ranges::sort(vertices);
   vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
+  finer_.resize(vertices_.size(), 0);
   bool finer = false;
   for (const auto vertex : vertices) {
-    if (!std::ranges::binary_search(became, sets.root(vertex))) continue;
-    auto& steps = finer_[vertex];
-    if (steps == finest) continue;
-    ++steps;
+    if (!std::ranges::binary_search(became, sets.root(vertex)) || finer_[vertex] == finest) continue;
+    ++finer_[vertex];
     finer = true;
   }
   return finer;

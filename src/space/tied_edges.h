@@ -3,10 +3,11 @@
 
 #include <cstdint>
 #include <span>
-#include <unordered_map>
 #include <vector>
 
+#include "base/big_vector.h"
 #include "base/disjoint_sets.h"
+#include "space/cell_walk.h"
 #include "space/edge_classes.h"
 #include "space/shared_vertices.h"
 #include "space/short_edges.h"
@@ -18,8 +19,7 @@ class TiedEdges {
  public:
   /// `vertices` has all cells around the ends of the edges.
   TiedEdges(const Places& places, const Rows& rows, const SharedVertices& vertices,
-            std::vector<ShortEdge> edges, int threads)
-      : places_(places), rows_(rows), vertices_(vertices), edges_(std::move(edges)), threads_(threads) {}
+            std::vector<ShortEdge> edges, int threads);
 
   /// Returns the number of ties.
   std::uint64_t join(DisjointSets& sets);
@@ -32,18 +32,26 @@ class TiedEdges {
   struct Ends {
     std::uint32_t from, to;
   };
-  [[nodiscard]] Ends endsOf(const ShortEdge& edge) const;
-  [[nodiscard]] EdgeLabels labelsOf(Label site, std::size_t edge_end) const;
+  struct Pair {
+    std::uint32_t candidate, other;
+  };
+  /// Edges that are ties if all that are one with them are.
+  struct Candidates;
+
   /// What ties are multiplied by at an edge.
-  [[nodiscard]] double finenessAt(const Ends& ends) const;
-  void joinOnes(DisjointSets& sets, const std::vector<std::uint32_t>& candidates, EdgeClasses& classes) const;
+  [[nodiscard]] double finenessAt(std::size_t edge) const;
+  std::vector<std::uint32_t> joinShortest(DisjointSets& sets) const;
+  [[nodiscard]] std::vector<Pair> findOnes(DisjointSets& sets, const Candidates& candidates) const;
+  void findOnesOf(std::size_t cell, CellWalk& walk, const Candidates& candidates,
+                  std::vector<Pair>& pairs) const;
   [[nodiscard]] bool isWide(std::span<const std::uint32_t> edges) const;
 
   const Places& places_;
   const Rows& rows_;
   const SharedVertices& vertices_;
   std::vector<ShortEdge> edges_;
-  std::unordered_map<std::uint32_t, std::uint8_t> finer_;  ///< by vertex: steps of 64
+  BigVector<Ends> ends_;             ///< by edge
+  std::vector<std::uint8_t> finer_;  ///< by vertex: steps of 64; empty if there are none
   int threads_;
 };
 

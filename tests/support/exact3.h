@@ -342,12 +342,14 @@ inline std::set<std::string> brokenConditions(const ExactSpace& exact, const Lab
 /// Rows of src/space, with the memory that they lie in.
 class StoredRows {
  public:
-  explicit StoredRows(const LabelRows& rows) : rows_(rows.size()) {
+  explicit StoredRows(const LabelRows& rows, std::span<const std::uint32_t> input = {})
+      : rows_(rows.size(), input) {
     for (std::size_t i = 0; i < rows.size(); ++i) {
       if (!rows[i].empty()) store(rows[i], i);
     }
   }
   [[nodiscard]] const space::Rows& rows() const { return rows_; }
+  [[nodiscard]] space::Rows& rows() { return rows_; }
 
  private:
   void store(const LabelRow& row, std::size_t i) {

@@ -107,6 +107,58 @@ INSTANTIATE_TEST_SUITE_P(
                      testing::Values(0, 1e-15, 1e-12, 1e-9)),
     [](const auto& of) { return std::string(std::get<0>(of.param).name) + "_" + std::to_string(of.index); });
 
+/// What is known of a crystal's cells with so many faces.
+struct Known {
+  Pattern3 pattern;
+  std::size_t faces;
+  double volume;         ///< where the nearest sites are 1 apart
+  double surface;        ///< of a cell of volume 1; 0: it has no short name
+  double second_moment;  ///< about one axis, of a cell of volume 1; 0 as well
+};
+
+TEST(SpaceCells, OfCrystalsHaveTheMeasuresOfTheory) {
+  const double root2 = std::numbers::sqrt2, root3 = std::numbers::sqrt3;
+  const double dense = 3 / root2 * std::cbrt(16), dense_moment = std::exp2(-11.0 / 3);
+  const std::vector<Known> crystals{
+      {Pattern3::cubic, 6, 1, 6, 1.0 / 12},
+      {Pattern3::fcc, 12, 1 / root2, dense, dense_moment},
+      {Pattern3::hcp, 12, 1 / root2, dense, dense_moment},
+      {Pattern3::bcc, 14, 4 / (3 * root3), (6 + 12 * root3) / 8 * std::cbrt(4), 19 / (192 * std::cbrt(2))},
+      {Pattern3::diamond, 16, 8 / (3 * root3), 3 * root3 + 3 * root2 / 4, 0},
+      {Pattern3::a15, 12, 125.0 / 128, 0, 0},
+      {Pattern3::a15, 14, 129.0 / 128, 0, 0}};
+  for (const Known& known : crystals) {
+    SCOPED_TRACE(testing::Message() << "pattern " << static_cast<int>(known.pattern) << ", " << known.faces);
+    const Sites3 sites = generate(known.pattern, 700, 1);
+    const Diagram3 diagram = cellsOf(sites);
+    const auto is_inside = inside(diagram);
+    double nearest = 1;
+    for (std::size_t i = 1; i < sites.size(); ++i) {
+      const Point3& a = sites[0];
+      const Point3& b = sites[i];
+      nearest = std::min(nearest, std::hypot(a.x - b.x, a.y - b.y, a.z - b.z));
+    }
+    // The first site of A15 has no neighbor as near as others have.
+    if (known.pattern == Pattern3::a15) nearest *= 2 / std::sqrt(5);
+    std::size_t count = 0;
+    for (std::size_t i = 0; i < diagram.size(); ++i) {
+      if (!is_inside[i] || faces(diagram, i) != known.faces) continue;
+      ++count;
+      const double volume = diagram.volume[i], side = std::cbrt(volume);
+      EXPECT_NEAR(volume / std::pow(nearest, 3), known.volume, 1e-12) << i;
+      if (known.surface > 0) {
+        EXPECT_NEAR(diagram.surface[i] / std::pow(side, 2), known.surface, 1e-12) << i;
+      }
+      const auto& moments = diagram.second_moments[i];
+      if (known.second_moment > 0) {
+        EXPECT_NEAR((moments[0] + moments[1] + moments[2]) / 3 / std::pow(side, 5), known.second_moment,
+                    1e-12);
+      }
+    }
+    EXPECT_GT(count, 10U);
+  }
+}
+
 TEST(SpaceCells, OfACubicLatticeAreCubes) {
   const Sites3 sites = generate(Pattern3::cubic, 1000, 1);
   const Diagram3 diagram = cellsOf(sites);

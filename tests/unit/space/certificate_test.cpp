@@ -13,6 +13,7 @@
 #include <string>
 #include <vector>
 
+#include "space/cell_check.h"
 #include "space/certify.h"
 #include "space/exact_search.h"
 #include "space/predicates.h"
@@ -49,6 +50,22 @@ struct Case {
   SiteBins bins;
   explicit Case(const Sites3& sites, const Box3& box = {0, 0, 0, 1, 1, 1}) : bins(binSites(sites, box, 1)) {}
   [[nodiscard]] std::size_t size() const { return bins.sites.size(); }
+  /// In the order of labels, in the units of the input.
+  [[nodiscard]] Sites3 unscaled() const {
+    Sites3 sites;
+    for (const Point3& p : bins.sites)
+      sites.push_back({p.x / bins.scale, p.y / bins.scale, p.z / bins.scale});
+    return sites;
+  }
+  /// The labels that the sites of another case have here.
+  [[nodiscard]] std::map<Label, Label> namesOf(const Case& other) const {
+    std::map<Point3, Label> name;
+    const auto here = unscaled(), there = other.unscaled();
+    for (std::size_t i = 0; i < here.size(); ++i) name[here[i]] = static_cast<Label>(i);
+    std::map<Label, Label> names;
+    for (std::size_t i = 0; i < there.size(); ++i) names[static_cast<Label>(i)] = name.at(there[i]);
+    return names;
+  }
 };
 
 /// The true complex, by exact cells, and the sites without a cell.
@@ -288,35 +305,40 @@ TEST_P(Lies, AMirrorImageIsRefusedByOrientation) {
 }
 
 TEST_P(Lies, ASiteLeftOutEverywhereIsForgotten) {
-  const std::size_t left_out = random_() % of_->size();
-  Sites3 sites;
-  std::map<Point3, Label> name;
-  for (std::size_t i = 0; i < of_->size(); ++i) {
-    name[of_->bins.sites[i]] = static_cast<Label>(i);
-    if (i != left_out) sites.push_back({of_->bins.sites[i].x, of_->bins.sites[i].y, of_->bins.sites[i].z});
-  }
+  Sites3 sites = of_->unscaled();
+  sites.erase(sites.begin() + static_cast<std::ptrdiff_t>(random_() % sites.size()));
   const Case fewer(sites);
   std::vector<std::uint8_t> exact;
-  std::map<Label, Label> names;
-  for (std::size_t i = 0; i < fewer.size(); ++i) names[static_cast<Label>(i)] = name.at(fewer.bins.sites[i]);
-  EXPECT_EQ(brokenBy(renamed(truth(fewer, exact), names)), Conditions{"C5"});
+  EXPECT_EQ(brokenBy(renamed(truth(fewer, exact), of_->namesOf(fewer))), Conditions{"C5"});
+}
+
+// A wall is forgotten, or stands elsewhere: cells as they would be if the box reached further there.
+TEST_P(Lies, CellsThatReachBeyondAWallAreRefused) {
+  int different = 0;
+  for (const Box3& wider : {Box3{0, 0, 0, 8, 1, 1}, Box3{0, -8, 0, 1, 1, 1}, Box3{0, 0, -0.5, 1, 1, 1.5}}) {
+    const Case beyond(of_->unscaled(), wider);
+    std::vector<std::uint8_t> exact;
+    const Complex other = renamed(truth(beyond, exact), of_->namesOf(beyond));
+    if (other == complex_) continue;
+    ++different;
+    EXPECT_EQ(brokenBy(other), Conditions{"C3"});
+  }
+  // Those of the lattice are longer there, and have the same neighbors.
+  EXPECT_EQ(different > 0, GetParam() % 4 != 3);
+  Complex without = complex_;
+  std::erase_if(without, [](const auto& vertex) { return std::ranges::count(vertex.first, -2) > 0; });
+  EXPECT_EQ(brokenBy(without), Conditions{"C1"});
 }
 
 TEST_P(Lies, TwoSheetsAreRefusedByTheCorner) {
   Complex both;
-  std::map<Point3, Label> name;
   std::array<Sites3, 2> halves;
-  for (std::size_t i = 0; i < of_->size(); ++i) {
-    name[of_->bins.sites[i]] = static_cast<Label>(i);
-    halves[i % 2].push_back(of_->bins.sites[i]);
-  }
+  const Sites3 sites = of_->unscaled();
+  for (std::size_t i = 0; i < sites.size(); ++i) halves[i % 2].push_back(sites[i]);
   for (const Sites3& half : halves) {
     const Case sheet(half);
     std::vector<std::uint8_t> exact;
-    std::map<Label, Label> names;
-    for (std::size_t i = 0; i < sheet.size(); ++i)
-      names[static_cast<Label>(i)] = name.at(sheet.bins.sites[i]);
-    both.merge(renamed(truth(sheet, exact), names));
+    both.merge(renamed(truth(sheet, exact), of_->namesOf(sheet)));
   }
   EXPECT_EQ(brokenBy(both), Conditions{"C4"});
 }
@@ -345,6 +367,55 @@ TEST_P(Lies, RowsThatDisagreeAreRefused) {
       EXPECT_TRUE(broken(*of_, exchanged.rows, exact_).contains("C1"));
     }
   }
+}
+
+TEST_P(Lies, ARingThatIsEmptiedMakesNoRow) {
+  ExactSearch search(of_->bins);
+  const auto site = static_cast<Label>(random_() % of_->size());
+  const auto all = search.cellOf(site).vertices();
+  const std::vector<std::array<Label, 3>> corners(all.begin(), all.end());
+  Proposal whole(complex_, of_->size());
+  whole.set(site, corners);
+  EXPECT_TRUE(whole.whole);
+  const Label emptied = corners[random_() % corners.size()][0];
+  std::vector<std::array<Label, 3>> others;
+  for (const auto& corner : corners) {
+    if (std::ranges::count(corner, emptied) == 0) others.push_back(corner);
+  }
+  Proposal proposal(complex_, of_->size());
+  proposal.set(site, others);
+  EXPECT_FALSE(proposal.whole);
+  EXPECT_TRUE(broken(*of_, proposal.rows, exact_).contains("C1"));
+}
+
+// Sites beyond the box have no cell. Each is put into each vertex, in all cells that have it: a flip of one
+// to four.
+TEST(Certificate, CellsOfSitesWithoutAnyAreRefused) {
+  int inserted = 0, by_regularity_alone = 0;
+  for (std::uint64_t seed = 0; seed < 4; ++seed) {
+    std::mt19937_64 random(seed);
+    Sites3 sites = randomSites(random, 15);
+    for (const double far : {-1.5, -0.6, 1.7, 2.6}) sites.push_back({far, 0.3 + 0.1 * far, 0.5});
+    const Case of(sites);
+    std::vector<std::uint8_t> exact;
+    const Complex complex = truth(of, exact);
+    EXPECT_EQ(broken(of, complex, exact), Conditions{});
+    EXPECT_GT(std::ranges::count(exact, 1), 0);
+    for (std::size_t i = 0; i < of.size(); ++i) {
+      if (exact[i] == 0) continue;
+      for (const auto& vertex : complex) {
+        const Quadruple& q = vertex.first;
+        const auto other = flipped(complex, {q[0], q[1], q[2], q[3], static_cast<Label>(i)});
+        ASSERT_TRUE(other.has_value());
+        ++inserted;
+        const Conditions conditions = broken(of, *other, exact);
+        EXPECT_FALSE(conditions.empty()) << "seed " << seed << ", site " << i;
+        by_regularity_alone += conditions == Conditions{"C3"} ? 1 : 0;
+      }
+    }
+  }
+  EXPECT_GT(inserted, 500);
+  EXPECT_GT(by_regularity_alone, 0);
 }
 
 // Each condition is needed: some lie is refused by it alone. (C1, C4 and C5 alone refuse lies above and
@@ -462,14 +533,17 @@ TEST(ExactSearch, FindsTheSameCellsAgain) {
       ExactSearch search(of.bins);
       ExactRow row;
       row.set(search.cellOf(site).vertices());
-      const ExactRow& found = remembers.rowOf(site);
-      EXPECT_EQ(found.neighbors, row.neighbors) << i;
-      const auto sorted = [](std::vector<std::array<std::uint32_t, 3>> vertices) {
-        for (auto& v : vertices) std::ranges::rotate(v, std::ranges::min_element(v));
-        std::ranges::sort(vertices);
-        return vertices;
+      const auto cornersOf = [](const ExactRow& of_site) {
+        std::vector<std::array<Label, 3>> corners;
+        for (const auto& [a, b, c] : of_site.vertices) {
+          auto& corner = corners.emplace_back(
+              std::array{of_site.neighbors[a], of_site.neighbors[b], of_site.neighbors[c]});
+          std::ranges::rotate(corner, std::ranges::min_element(corner));
+        }
+        std::ranges::sort(corners);
+        return corners;
       };
-      EXPECT_EQ(sorted(found.vertices), sorted(row.vertices)) << i;
+      EXPECT_EQ(cornersOf(remembers.rowOf(site)), cornersOf(row)) << i;
     }
     EXPECT_GT(remembers.known(), of.size() / 8);
   }

@@ -47,31 +47,24 @@ inline Diagrammed diagramOf(const std::vector<Point3>& sites, const Box3& box,
   const Box3 run_box{box.xmin / options.unit, box.ymin / options.unit, box.zmin / options.unit,
                      box.xmax / options.unit, box.ymax / options.unit, box.zmax / options.unit};
   const auto label_rows = rowsOf(ExactSpace(placed, run_box));
-  const StoredRows stored(label_rows);
+  StoredRows stored(label_rows, input);
   std::vector<std::uint32_t> all(placed.size());
   std::iota(all.begin(), all.end(), 0U);
-  std::vector<space::CellMeasures> measures(placed.size());
-  std::vector<std::vector<double>> areas(placed.size());
+  Diagrammed result;
+  const space::Places places{placed.data(), run_box};
+  space::Records records(places, options.unit, input, sites, options.detail, result.diagram);
+  records.layOut(stored.rows(), options.threads);
   for (std::size_t r = 0; r < placed.size(); ++r) {
     if (label_rows[r].empty()) status[input[r]] = Status::empty;
     if (!options.measured) continue;
-    measures[r] = {static_cast<double>(input[r]), 2, {0.5, 0.25, 0.125}};
-    areas[r].assign(label_rows[r].size(), static_cast<double>(input[r]) + 0.5);
+    records.write(r, {static_cast<double>(input[r]), 2, {0.5, 0.25, 0.125}}, {});
+    for (std::size_t f = 0; f < label_rows[r].size(); ++f)
+      records.writeArea(r, f, static_cast<double>(input[r]) + 0.5);
   }
-  const std::vector<std::uint32_t> careful = options.measured ? std::vector<std::uint32_t>{} : all;
-  const space::ProvedCells cells{{placed.data(), run_box},
-                                 options.unit,
-                                 stored.rows(),
-                                 input,
-                                 all,
-                                 measures,
-                                 areas,
-                                 careful,
-                                 sites,
-                                 status,
-                                 owner};
-  Diagrammed result;
-  const auto ties = space::writeDiagram(cells, options.detail, options.threads, result.diagram);
+  const std::vector<std::uint32_t> unmeasured = options.measured ? std::vector<std::uint32_t>{} : all;
+  const space::ProvedCells cells{places,     options.unit, stored.rows(), input, all,
+                                 unmeasured, sites,        status,        owner};
+  const auto ties = space::writeDiagram(cells, records, options.detail, options.threads, result.diagram);
   EXPECT_TRUE(ties.has_value());
   if (ties) result.ties = *ties;
   return result;
