@@ -8,17 +8,13 @@
 #include <cstdio>
 #include <exception>
 #include <filesystem>
-#include <fstream>
-#include <iterator>
-#include <nlohmann/json.hpp>
 #include <string>
 #include <string_view>
 #include <utility>
 #include <vector>
 
-#include "bench/contest.h"
+#include "bench/cells_contest.h"
 #include "bench/driver_threads.h"
-#include "bench/machine.h"
 #include "cli/kept_memory.h"
 #include "io/sites/sites_file.h"
 
@@ -152,31 +148,9 @@ Result<bool> measure(const Wanted& wanted) {
   if (auto opened = openSessions(wanted, contestants); !opened) return tl::unexpected(opened.error());
   std::deque<Round> rounds;
   if (auto made = makeRounds(wanted, rounds); !made) return tl::unexpected(made.error());
-  std::deque<Contest> contests;
-  auto courses = makeCourses(contestants, rounds, contests);
-  const auto machine = bench::thisMachine();
-  if (auto ran = bench::interleave(courses, wanted.repetitions, {}); !ran) return tl::unexpected(ran.error());
-
-  bool right = true;
-  for (const auto& course : courses) {
-    if (course.failed.empty()) continue;
-    right = false;
-    fmt::print(stderr, "bench_cells: {}: {}\n", course.name, course.failed);
-  }
-  if (wanted.repetitions == 0) return right;
-  fmt::print("{}", bench::markdown(machine));
-  nlohmann::ordered_json tables = nlohmann::ordered_json::array();
-  for (const auto& round : rounds) {
-    auto table = makeTable(round, contests);
-    table.notes = notes;
-    tables.push_back(bench::json(table));
-    fmt::print("\n{}", bench::markdown(table));
-  }
-  if (wanted.json.empty()) return right;
-  std::ofstream out(wanted.json);
-  out << nlohmann::ordered_json{{"machine", bench::json(machine)}, {"tables", tables}}.dump(1) << '\n';
-  if (!out.flush()) return tl::unexpected(Error{ErrorCode::input, "cannot write " + wanted.json});
-  return right;
+  Contests contests;
+  addContests(contestants, rounds, contests);
+  return contests.hold("bench_cells", wanted.repetitions, notes, wanted.json);
 }
 
 int run(int argc, char** argv) {

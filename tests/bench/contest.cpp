@@ -2,130 +2,70 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <cmath>
+#include <cstdio>
+#include <fstream>
+#include <nlohmann/json.hpp>
 #include <utility>
 
-#include "bench/taken.h"
+#include "bench/machine.h"
 
 namespace vorpipe::test {
 namespace {
 
-constexpr double short_run = 2;       // seconds
-constexpr double area_slack = 1e-12;  // of the domain, for the sum of all of vorpipe's cells
+constexpr double short_run = 2;  // seconds
 
-tl::unexpected<Error> wrong(std::string what) {
-  return tl::unexpected(Error{ErrorCode::device, std::move(what)});
-}
-
-Result<void> check(const Diagram& diagram, const Round& round) {
-  const Box& domain = round.input.set.domain;
-  const double area = (domain.xmax - domain.xmin) * (domain.ymax - domain.ymin);
-  if (!(std::abs(areaSum(diagram) - area) <= area_slack * area))
-    return wrong("areas do not add up to the domain's");
-  return {};
-}
-
-Result<void> runSession(Session& session, Detail detail, Contest& contest, Purpose purpose) {
-  CellsOptions options{};
-  options.domain = contest.round->input.set.domain;
-  options.detail = detail;
-  const JobWatch watch;
-  const auto diagram = session.cells(contest.round->input.set.sites, options);
-  const Taken taken = watch.taken();
-  if (!diagram) return tl::unexpected(diagram.error());
-  contest.add(taken, purpose);
-  if (purpose == Purpose::warm_up) return {};
-  if (purpose == Purpose::count) return check(*diagram, *contest.round);
-  const auto diff = diffCells(contest.round->reference, *diagram);
-  if (!diff) return tl::unexpected(diff.error());
-  if (!diff->agree()) return wrong("wrong cells");
-  return check(*diagram, *contest.round);
-}
-
-Result<void> runTriangulation(const Peer& peer, Contest& contest, Purpose purpose) {
-  const auto done = peer.triangulate(contest.round->input);
-  if (!done) return tl::unexpected(done.error());
-  const auto expected = contest.round->reference.triangles.size();
-  if (done->triangles != expected)
-    return wrong(fmt::format("{} triangles, not {}", done->triangles, expected));
-  contest.add(done->taken, purpose);
-  return {};
-}
-
-Result<void> runPeer(const Peer& peer, Contest& contest, Purpose purpose) {
-  const auto done = peer.measure(contest.round->input);
-  if (!done) return tl::unexpected(done.error());
-  contest.add(done->taken, purpose);
-  if (purpose == Purpose::warm_up) return {};
-  auto differs = purpose == Purpose::count ? done->cells.areaDisagreement()
-                                           : done->cells.disagreement(contest.round->reference);
-  if (!differs.empty()) return wrong(std::move(differs));
-  return {};
-}
-
-/// The line with the best median among those that `wanted` takes.
-template <class Wanted>
-const Contest* fastest(const std::deque<Contest>& contests, const Round& round, const Wanted& wanted) {
-  const Contest* best = nullptr;
-  for (const auto& contest : contests) {
-    if (contest.round != &round || !contest.wasRight() || !wanted(contest)) continue;
-    if (best == nullptr || bench::median(contest.seconds) < bench::median(best->seconds)) best = &contest;
+const char* nameOf(Job job) {
+  switch (job) {
+    case Job::triangulation:
+      return "triangulation";
+    case Job::full:
+      return "full";
+    case Job::polyhedra:
+      return "full, with polyhedra";
   }
-  return best;
+  return "";
 }
 
-bench::Cell speedAgainst(const Contest* other, const Contest& contest) {
+bench::Cell speedAgainst(const Contest* other, const Contest& line) {
   if (other == nullptr) return bench::Missing{};
-  return bench::median(other->seconds) / bench::median(contest.seconds);
+  return bench::median(other->seconds) / bench::median(line.seconds);
 }
 
 }  // namespace
 
-std::vector<bench::Course> makeCourses(Contestants& contestants, const std::deque<Round>& rounds,
-                                       std::deque<Contest>& contests) {
-  std::vector<bench::Course> courses;
-  const auto add = [&](Contest made, auto run) {
-    auto& contest = contests.emplace_back(std::move(made));
-    const auto name =
-        fmt::format("{}, {} of {}", contest.program, contest.job == Job::full ? "full job" : "triangulation",
-                    contest.round->input.set.name);
-    courses.push_back({name, [&contest, run](bool counts) -> Result<void> {
-                         if (!counts) return run(contest, Purpose::check);
-                         if (contest.last_seconds < short_run) {
-                           if (auto warmed = run(contest, Purpose::warm_up); !warmed) return warmed;
-                         }
-                         return run(contest, Purpose::count);
-                       }});
-  };
-  for (const auto& round : rounds) {
-    for (auto& opened : contestants.sessions) {
-      const auto& device = opened.session.device();
-      add({"vorpipe " + device.backend, fmt::format("{} on {}", version(), device.name),
-           opened.threads == 0 ? "all" : std::to_string(opened.threads), Job::full, &round, false},
-          [&session = opened.session, detail = contestants.detail](Contest& contest, Purpose purpose) {
-            return runSession(session, detail, contest, purpose);
-          });
-    }
-    const bool weighted = !round.input.sites.weight.empty();
-    for (const auto& peer : contestants.peers) {
-      if (weighted ? !peer.with_weights : !peer.without_weights) continue;
-      const Contest contest{peer.what, peer.version, "1", Job::triangulation, &round, true};
-      if (peer.triangulate)
-        add(contest, [&peer](Contest& c, Purpose purpose) { return runTriangulation(peer, c, purpose); });
-      Contest full = contest;
-      full.job = Job::full;
-      add(full, [&peer](Contest& c, Purpose purpose) { return runPeer(peer, c, purpose); });
-    }
-  }
-  for (std::size_t k = 0; k < courses.size(); ++k) contests[k].course = &courses[k];
-  return courses;
+void Contests::add(Contest made, std::function<Result<void>(Contest&, Purpose)> run) {
+  auto& line = lines_.emplace_back(std::move(made));
+  line.course = courses_.size();
+  const auto name =
+      fmt::format("{} on {}, {} of {}", line.program, line.threads, nameOf(line.job), line.sites.name);
+  courses_.push_back({name, [&line, run = std::move(run)](bool counts) -> Result<void> {
+                        if (!counts) return run(line, Purpose::check);
+                        if (line.last_seconds < short_run) {
+                          if (auto warmed = run(line, Purpose::warm_up); !warmed) return warmed;
+                        }
+                        return run(line, Purpose::count);
+                      }});
 }
 
-bench::Table makeTable(const Round& round, const std::deque<Contest>& contests) {
-  const auto& set = round.input.set;
-  bench::Table table{fmt::format("peers {}", set.name),
-                     fmt::format("{} sites: {}", set.sites.size(), set.name),
+/// No speed is told of what was wrong even once.
+bool Contests::wasRight(const Contest& line) const {
+  return courses_[line.course].failed.empty() && !line.seconds.empty();
+}
+
+/// The line with the best median among those that `wanted` takes.
+template <class Wanted>
+const Contest* Contests::fastest(const std::string& sites, const Wanted& wanted) const {
+  const Contest* best = nullptr;
+  for (const auto& line : lines_) {
+    if (line.sites.name != sites || !wasRight(line) || !wanted(line)) continue;
+    if (best == nullptr || bench::median(line.seconds) < bench::median(best->seconds)) best = &line;
+  }
+  return best;
+}
+
+bench::Table Contests::table(const ContestSites& sites) const {
+  bench::Table table{fmt::format("peers {}", sites.name),
+                     fmt::format("{} sites: {}", sites.count, sites.name),
                      {{"program", "program"},
                       {"version", "version"},
                       {"threads", "threads"},
@@ -135,27 +75,55 @@ bench::Table makeTable(const Round& round, const std::deque<Contest>& contests) 
                       {"cpu_seconds", "CPU seconds, all threads"},
                       {"speed_to_triangulation", "speed, CGAL's triangulation = 1"},
                       {"speed_to_full_job", "speed, fastest full job of the others = 1"}}};
-  const auto* cgal = fastest(contests, round, [](const Contest& contest) {
-    return contest.is_peer && contest.job == Job::triangulation && contest.program.starts_with("CGAL");
+  const auto* cgal = fastest(sites.name, [](const Contest& line) {
+    return line.is_peer && line.job == Job::triangulation && line.program.starts_with("CGAL");
   });
-  const auto* full = fastest(
-      contests, round, [](const Contest& contest) { return contest.is_peer && contest.job == Job::full; });
-  for (const auto& contest : contests) {
-    if (contest.round != &round) continue;
-    const bool is_full = contest.job == Job::full;
-    std::vector<bench::Cell> row{contest.program, contest.version, contest.threads,
-                                 is_full ? "full" : "triangulation"};
-    if (contest.wasRight()) {
-      row.insert(row.end(),
-                 {contest.seconds, bench::least(contest.seconds), contest.cpu_seconds,
-                  speedAgainst(cgal, contest), is_full ? speedAgainst(full, contest) : bench::Missing{}});
+  for (const auto& line : lines_) {
+    if (line.sites.name != sites.name) continue;
+    std::vector<bench::Cell> row{line.program, line.version, line.threads, nameOf(line.job)};
+    if (wasRight(line)) {
+      const auto* full =
+          line.job == Job::triangulation ? nullptr : fastest(sites.name, [&line](const Contest& other) {
+            return other.is_peer && other.job == line.job;
+          });
+      row.insert(row.end(), {line.seconds, bench::least(line.seconds), line.cpu_seconds,
+                             speedAgainst(cgal, line), speedAgainst(full, line)});
     } else {
-      row.insert(row.end(), {bench::Missing{"failed: " + contest.course->failed}, bench::Missing{},
+      row.insert(row.end(), {bench::Missing{"failed: " + courses_[line.course].failed}, bench::Missing{},
                              bench::Missing{}, bench::Missing{}, bench::Missing{}});
     }
     table.rows.push_back(std::move(row));
   }
   return table;
+}
+
+Result<bool> Contests::hold(const std::string& program, int repetitions,
+                            const std::vector<std::string>& notes, const std::string& json) {
+  const auto machine = bench::thisMachine();
+  if (auto ran = bench::interleave(courses_, repetitions, {}); !ran) return tl::unexpected(ran.error());
+  bool right = true;
+  for (const auto& course : courses_) {
+    if (course.failed.empty()) continue;
+    right = false;
+    fmt::print(stderr, "{}: {}: {}\n", program, course.name, course.failed);
+  }
+  if (repetitions == 0) return right;
+  fmt::print("{}", bench::markdown(machine));
+  nlohmann::ordered_json tables = nlohmann::ordered_json::array();
+  const ContestSites* last = nullptr;
+  for (const auto& line : lines_) {
+    if (last != nullptr && last->name == line.sites.name) continue;
+    last = &line.sites;
+    auto made = table(line.sites);
+    made.notes = notes;
+    tables.push_back(bench::json(made));
+    fmt::print("\n{}", bench::markdown(made));
+  }
+  if (json.empty()) return right;
+  std::ofstream out(json);
+  out << nlohmann::ordered_json{{"machine", bench::json(machine)}, {"tables", tables}}.dump(1) << '\n';
+  if (!out.flush()) return tl::unexpected(Error{ErrorCode::input, "cannot write " + json});
+  return right;
 }
 
 }  // namespace vorpipe::test

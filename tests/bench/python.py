@@ -76,10 +76,9 @@ def beside_scipy_on_the_sphere(runs):
     }, runs))
 
 
-def beside_cpp(runs, program):
-    points = vorpipe.generate('random', 1_000_000)
+def beside_cpp(runs, program, points, domain, *space):
     with vorpipe.Session('cpu') as session, subprocess.Popen(
-            [program, '1000000'], stdin=subprocess.PIPE, stdout=subprocess.PIPE, text=True) as cpp:
+            [program, str(len(points)), *space], stdin=subprocess.PIPE, stdout=subprocess.PIPE, text=True) as cpp:
 
         def in_cpp():
             cpp.stdin.write('\n')
@@ -88,11 +87,11 @@ def beside_cpp(runs, program):
 
         def in_python():
             kept = []
-            return seconds(lambda: kept.append(session.cells(points, domain=(0, 0, 1, 1))))
+            return seconds(lambda: kept.append(session.cells(points, domain=domain)))
 
         times = in_turn({'Session::cells in C++': in_cpp, 'Session.cells in Python': in_python}, runs)
         cpp.stdin.close()
-    show('1,000,000 points', times)
+    show(' '.join([f'{len(points):,} points', *(f'in {word}' for word in space)]), times)
     print(f'  Python takes {times["Session.cells in Python"] / times["Session::cells in C++"]:.3f} of the time of C++')
 
 
@@ -105,7 +104,8 @@ def main():
         print(f'not beside scipy: {error}')
     program = os.environ.get('VORPIPE_CALL')
     if program:
-        beside_cpp(runs, program)
+        beside_cpp(runs, program, vorpipe.generate('random', 1_000_000), (0, 0, 1, 1))
+        beside_cpp(runs, program, vorpipe.generate('random', 1_000_000, dim=3), (0, 0, 0, 1, 1, 1), 'space')
     else:
         print('not beside C++: VORPIPE_CALL names no program')
 

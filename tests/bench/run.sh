@@ -1,12 +1,18 @@
 #!/usr/bin/env bash
 # Installs the programs that vorpipe is measured against, builds the preset bench, and measures: prints the table
-# of the README. Arguments go to bench_cells: tests/bench/run.sh --sites 100000 --patterns random,clusters
+# of the README. Arguments go to bench_cells: tests/bench/run.sh --sites 100000 --patterns random,clusters; those behind
+# --space, which comes first, to bench_space.
 root=$(cd -P "$(dirname "${BASH_SOURCE[0]}")/../.." && pwd)
 source "$root/third_party/prepare.sh"
 
 lockBuild
 installPackages tool build test program python shader driver peer
-buildPreset bench bench_cells || exit 3
+program=bench_cells
+if [[ ${1-} == --space ]]; then
+  program=bench_space
+  shift
+fi
+buildPreset bench $program || exit 3
 modules=$root/build/bench/tests/bench
 if command -v npm >/dev/null; then
   npm install --no-audit --no-fund --prefix "$modules" d3-delaunay@6.0.6 delaunator@5.1.0 >"$root/build/npm.log" 2>&1 ||
@@ -14,4 +20,4 @@ if command -v npm >/dev/null; then
 fi
 unlockBuild
 
-exec "$modules/bench_cells" "$@"
+exec "$modules/$program" "$@"
