@@ -9,6 +9,17 @@
 
 namespace vorpipe {
 
+/// Has all threads ask the system for the pages of large memory, which it clears; otherwise the one that
+/// writes to it first waits for them.
+void clearPages(void* memory, std::size_t bytes, int threads);
+
+/// reserve() of a vector that is soon filled up to so many elements.
+template <class Vector>
+void reserveAll(Vector& vector, std::size_t size, int threads) {
+  vector.reserve(size);
+  clearPages(vector.data(), size * sizeof(*vector.data()), threads);
+}
+
 /// An allocator that leaves elements uninitialized where no value is given.
 template <class T>
 struct BigAllocator {

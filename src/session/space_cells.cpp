@@ -21,7 +21,7 @@ Result<Diagram3> findSpaceCells(std::span<const Point3> sites, const Cells3Optio
   const Stopwatch clock;
   const space::SiteBins bins = space::binSites(sites, options.domain, threads);
   report.time_ms.order = clock.milliseconds();
-  space::Records records(bins.places(), 1 / bins.scale, bins.input, sites, options.detail, diagram);
+  space::Records records(bins.places(), 1 / bins.scale, bins.input, sites, options.detail, threads, diagram);
   VORPIPE_VAR(found, space::certify(bins, records, options.progress, threads));
   std::vector<Status> status(sites.size(), Status::duplicate);
   constexpr std::size_t grain = 4096;

@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "base/big_vector.h"
 #include "base/parallel.h"
 #include "base/try.h"
 #include "space/polyhedra.h"
@@ -165,6 +166,7 @@ class RecordEnd {
   }
 
   void writeNeighbors() {
+    reserveAll(out_.neighbors, out_.face_offsets.back(), threads_);
     out_.neighbors.resize(out_.face_offsets.back());
     forRows([&](std::size_t i, const Row& row) {
       const std::uint32_t cell = contraction_.cellOf(static_cast<Label>(i));

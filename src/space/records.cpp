@@ -1,25 +1,34 @@
 #include "space/records.h"
 
+#include "base/big_vector.h"
 #include "base/parallel.h"
 
 namespace vorpipe::space {
 
 Records::Records(const Places& places, double unit, std::span<const std::uint32_t> input,
-                 std::span<const Point3> callers_sites, Detail3 detail, Diagram3& diagram)
+                 std::span<const Point3> callers_sites, Detail3 detail, int threads, Diagram3& diagram)
     : places_(places), unit_(unit), input_(input), moments_(detail == Detail3::polyhedra), out_(diagram) {
   const std::size_t n = callers_sites.size();
+  reserveAll(out_.volume, n, threads);
+  reserveAll(out_.surface, n, threads);
+  reserveAll(out_.centroid, n, threads);
   out_.volume.assign(n, 0);
   out_.surface.assign(n, 0);
   out_.centroid.assign(callers_sites.begin(), callers_sites.end());
-  if (moments_) out_.second_moments.assign(n, {});
+  if (moments_) {
+    reserveAll(out_.second_moments, n, threads);
+    out_.second_moments.assign(n, {});
+  }
 }
 
 void Records::layOut(const Rows& rows, int threads) {
   constexpr std::size_t grain = 4096;
   auto& offsets = out_.face_offsets;
+  reserveAll(offsets, out_.volume.size() + 1, threads);
   offsets.assign(out_.volume.size() + 1, 0);
   parallelEach(rows.size(), grain, threads, [&](std::size_t i) { offsets[input_[i] + 1] = rows[i].faces; });
   for (std::size_t i = 0; i + 1 < offsets.size(); ++i) offsets[i + 1] += offsets[i];
+  reserveAll(out_.face_areas, offsets.back(), threads);
   out_.face_areas.resize(offsets.back());
 }
 

@@ -19,7 +19,7 @@ class Records {
   /// `input` is the caller's index by site of the run, whose coordinates times `unit` are the caller's. The
   /// diagram is as if no site had a cell.
   Records(const Places& places, double unit, std::span<const std::uint32_t> input,
-          std::span<const Point3> callers_sites, Detail3 detail, Diagram3& diagram);
+          std::span<const Point3> callers_sites, Detail3 detail, int threads, Diagram3& diagram);
 
   [[nodiscard]] bool wantMoments() const { return moments_; }
   /// Makes room for the areas of all faces of the rows.

@@ -52,7 +52,7 @@ inline Diagrammed diagramOf(const std::vector<Point3>& sites, const Box3& box,
   std::iota(all.begin(), all.end(), 0U);
   Diagrammed result;
   const space::Places places{placed.data(), run_box};
-  space::Records records(places, options.unit, input, sites, options.detail, result.diagram);
+  space::Records records(places, options.unit, input, sites, options.detail, options.threads, result.diagram);
   records.layOut(stored.rows(), options.threads);
   for (std::size_t r = 0; r < placed.size(); ++r) {
     if (label_rows[r].empty()) status[input[r]] = Status::empty;
