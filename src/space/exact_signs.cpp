@@ -23,16 +23,6 @@ using AnyInteger =
 /// The kinds of integers that determinants are computed in. Coordinates are less than 2^bits, so that a 2x2
 /// minor is less than 2^(2 bits + 1), a 3x3 determinant than 2^(3 bits + 2.6), a lift than 2^(2 bits + 1.6),
 /// and a 4x4 determinant than 2^(5 bits + 6.2).
-struct ShortIntegers {
-  static constexpr int bits = 24;
-  using Coordinate = std::int64_t;
-  using Pair = std::int64_t;  ///< minors and lifts
-  using Triple = Int128;
-  using Whole = Int128;
-  static Triple times(Pair a, Coordinate b) { return static_cast<Triple>(a) * b; }
-  static Whole times(Triple a, Pair b) { return a * b; }
-};
-
 struct LongIntegers {
   static constexpr int bits = 62;
   using Coordinate = std::int64_t;
@@ -140,20 +130,14 @@ class Units {
   std::int64_t whole(const DoubleDouble& number) {
     std::int64_t sum = part(number.high);
     if (number.low != 0) sum += part(number.low);
-    bits_ |= sum < 0 ? -sum : sum;
     return sum;
   }
 
   [[nodiscard]] bool fit() const { return fit_; }
   /// The unit's.
   [[nodiscard]] int exponent() const { return exponent_; }
-  /// The bits that are not 0 in all numbers, from which shift() zeros are taken away at the end.
-  [[nodiscard]] int shift() const { return bits_ == 0 ? 0 : std::countr_zero(word()); }
-  [[nodiscard]] int bits() const { return static_cast<int>(std::bit_width(word())) - shift(); }
 
  private:
-  [[nodiscard]] std::uint64_t word() const { return static_cast<std::uint64_t>(bits_); }
-
   std::int64_t part(double number) {
     const auto units = static_cast<std::int64_t>(number * per_unit_);
     fit_ = fit_ && static_cast<double>(units) * unit_ == number;
@@ -162,16 +146,49 @@ class Units {
 
   double unit_, per_unit_;
   int exponent_;
-  std::int64_t bits_ = 0;
   bool fit_ = true;
 };
 
 template <class Integers, std::size_t size, class Numbers, class Use>
-int withRows(const ExactTuple<size>& tuple, const Numbers& number, const Use& use) {
+int withRows(const std::array<Label, size>& label, const Numbers& number, const Use& use) {
   std::array<WholeRow<Integers>, size> row;
-  for (std::size_t k = 0; k < size; ++k) row[k].set(tuple.label[k], number[k]);
+  for (std::size_t k = 0; k < size; ++k) row[k].set(label[k], number[k]);
   return use(row);
 }
+
+/// Places relative to a site as multiples of 2^-60, which those of most runs are: coordinates are less
+/// than 2.
+template <std::size_t size>
+struct FixedPlaces {
+  std::array<std::array<std::int64_t, 3>, size> number;
+
+  FixedPlaces(const Places& places, Label site, const std::array<Label, size>& label) {
+    const Point3& at = places.sites[site];
+    const std::array<std::int64_t, 3> from{whole(at.x), whole(at.y), whole(at.z)};
+    for (std::size_t k = 0; k < size; ++k) {
+      if (isWallLabel(label[k])) {
+        const int wall = wallOf(label[k]);
+        const std::int64_t distance =
+            whole(wallOffset(places, label[k])) - from[static_cast<std::size_t>(axisOf(wall))];
+        number[k] = {isUpper(wall) ? distance : -distance, 0, 0};
+      } else {
+        const Point3& to = places.sites[label[k]];
+        number[k] = {whole(to.x) - from[0], whole(to.y) - from[1], whole(to.z) - from[2]};
+      }
+    }
+  }
+  [[nodiscard]] bool fit() const { return fit_; }
+
+ private:
+  std::int64_t whole(double at) {
+    constexpr double no_integer = 0.5;
+    const double exact = std::abs(at) < 2 ? at * 0x1p60 : no_integer;
+    const auto units = static_cast<std::int64_t>(exact);
+    fit_ = fit_ && static_cast<double>(units) == exact;
+    return units;
+  }
+  bool fit_ = true;
+};
 
 /// number / 2^least.
 AnyInteger multipleOf(double number, int least) {
@@ -205,25 +222,23 @@ int withAnyIntegers(const ExactTuple<size>& tuple, int least, const Use& use) {
       number[k][c] = multipleOf(tuple.number[k][c].high, least) + multipleOf(tuple.number[k][c].low, least);
     }
   }
-  return withRows<AnyIntegers>(tuple, number, use);
+  return withRows<AnyIntegers>(tuple.label, number, use);
 }
 
 /// Calls it with rows of the least integers that hold them.
 template <std::size_t size, class Use>
-int withIntegers(const ExactTuple<size>& tuple, const Use& use) {
+int withIntegers(const Places& places, Label site, const std::array<Label, size>& labels, const Use& use) {
+  static_assert(LongIntegers::bits == 62);
+  const FixedPlaces<size> fixed(places, site, labels);
+  if (fixed.fit()) return withRows<LongIntegers>(labels, fixed.number, use);
+  const ExactTuple<size> tuple(places, site, labels);
   Units units(tuple);
   std::array<std::array<std::int64_t, 3>, size> number{};
   for (std::size_t k = 0; k < size; ++k) {
     for (std::size_t c = 0; c < 3; ++c) number[k][c] = units.whole(tuple.number[k][c]);
   }
   if (!units.fit()) return withAnyIntegers(tuple, leastBit(tuple), use);
-  const int shift = units.shift();
-  for (auto& place : number) {
-    for (auto& n : place) n >>= shift;
-  }
-  static_assert(LongIntegers::bits == 62);
-  if (units.bits() > ShortIntegers::bits) return withRows<LongIntegers>(tuple, number, use);
-  return withRows<ShortIntegers>(tuple, number, use);
+  return withRows<LongIntegers>(labels, number, use);
 }
 
 /// 2^exponent a / b, rounded twice: to 64 bits or 65, and to a double.
@@ -269,11 +284,10 @@ Point3 placeOf(const std::array<WholeRow<Integers>, 3>& row, int exponent, const
 }  // namespace
 
 int exactOrientation(const Places& places, Label i, const std::array<Label, 3>& other) {
-  return withIntegers(ExactTuple<3>(places, i, other),
-                      []<class Integers>(const std::array<WholeRow<Integers>, 3>& row) {
-                        const auto& [a, b, c] = row;
-                        return signOf(determinant(a, minorOf(b, c), b, minorOf(a, c), c, minorOf(a, b)));
-                      });
+  return withIntegers(places, i, other, []<class Integers>(const std::array<WholeRow<Integers>, 3>& row) {
+    const auto& [a, b, c] = row;
+    return signOf(determinant(a, minorOf(b, c), b, minorOf(a, c), c, minorOf(a, b)));
+  });
 }
 
 /// At the vertex p = (sum of lift_e (d_f x d_g)) / (2 det) of three labels the lift of the fourth less 2 p .
@@ -291,7 +305,7 @@ int exactSide(const Places& places, Label i, const std::array<Label, 4>& other) 
     const int sign = signOf(whole);
     return signOf(cofactor[3]) * (sign != 0 ? sign : brokenTie(places, i, other, cofactor));
   };
-  return withIntegers(ExactTuple<4>(places, i, other), side);
+  return withIntegers(places, i, other, side);
 }
 
 Point3 exactPlace(const Places& places, Label i, const std::array<Label, 3>& other) {
@@ -303,7 +317,7 @@ Point3 exactPlace(const Places& places, Label i, const std::array<Label, 3>& oth
     for (std::size_t c = 0; c < 3; ++c) number[k][c] = units.whole(tuple.number[k][c]);
   }
   if (units.fit()) {
-    withRows<LongIntegers>(tuple, number, [&](const std::array<WholeRow<LongIntegers>, 3>& row) {
+    withRows<LongIntegers>(tuple.label, number, [&](const std::array<WholeRow<LongIntegers>, 3>& row) {
       // Sums of three products are less than 2^252.2.
       const auto times = [](Int128 a, Int128 b) {
         return product(FixedInteger<2>{{static_cast<std::uint64_t>(a), static_cast<std::uint64_t>(a >> 64)}},

@@ -35,7 +35,17 @@ struct FixedInteger {
     }
     return negated;
   }
-  FixedInteger& operator-=(const FixedInteger& other) { return *this += -other; }
+  FixedInteger& operator-=(const FixedInteger& other) { return subtract(other, ~std::uint64_t{0}); }
+  /// Subtracts those bits of each word of the other that are set in `mask`.
+  FixedInteger& subtract(const FixedInteger& other, std::uint64_t mask) {
+    std::uint64_t borrow = 0;
+    for (std::size_t k = 0; k < words; ++k) {
+      const Word128 less = static_cast<Word128>(word[k]) - (other.word[k] & mask) - borrow;
+      word[k] = static_cast<std::uint64_t>(less);
+      borrow = static_cast<std::uint64_t>(less >> 64U) & 1U;
+    }
+    return *this;
+  }
   friend FixedInteger operator+(FixedInteger a, const FixedInteger& b) { return a += b; }
   friend FixedInteger operator-(FixedInteger a, const FixedInteger& b) { return a -= b; }
 
@@ -58,7 +68,7 @@ inline FixedInteger<3> product(Int128 a, std::int64_t b) {
 /// a b. Words are multiplied as if they had no sign; 2^(64 words) and 2^128 times the other are what that
 /// adds where a, b are negative.
 template <std::size_t words>
-FixedInteger<words + 2> product(const FixedInteger<words>& a, Int128 b) {
+[[gnu::always_inline]] inline FixedInteger<words + 2> product(const FixedInteger<words>& a, Int128 b) {
   const std::array<std::uint64_t, 2> right{static_cast<std::uint64_t>(b),
                                            static_cast<std::uint64_t>(b >> 64)};
   FixedInteger<words + 2> result;
@@ -71,18 +81,15 @@ FixedInteger<words + 2> product(const FixedInteger<words>& a, Int128 b) {
     }
     result.word[i + words] = carry;
   }
-  if (a.sign() < 0) {
-    FixedInteger<words + 2> shifted;
-    shifted.word[words] = right[0];
-    shifted.word[words + 1] = right[1];
-    result -= shifted;
-  }
-  if (b < 0) {
-    FixedInteger<words + 2> shifted;
-    for (std::size_t j = 0; j < words; ++j) shifted.word[j + 2] = a.word[j];
-    result -= shifted;
-  }
-  return result;
+  // All bits if it is negative. Signs cannot be foreseen: no branch.
+  const auto isNegative = [](std::uint64_t leading) { return std::uint64_t{0} - (leading >> 63U); };
+  FixedInteger<words + 2> shifted;
+  shifted.word[words] = right[0];
+  shifted.word[words + 1] = right[1];
+  result.subtract(shifted, isNegative(a.word[words - 1]));
+  shifted = {};
+  for (std::size_t j = 0; j < words; ++j) shifted.word[j + 2] = a.word[j];
+  return result.subtract(shifted, isNegative(right[1]));
 }
 
 /// The number of the last bit of a positive number that is set: 0 is the first.
