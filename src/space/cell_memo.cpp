@@ -3,9 +3,11 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <limits>
 #include <unordered_map>
 
 #include "base/double_double.h"
+#include "base/processors.h"
 #include "space/relative.h"
 
 namespace vorpipe::space {
@@ -14,6 +16,14 @@ namespace {
 std::uint64_t mixed(std::uint64_t bits) {
   bits *= 0x9e3779b97f4a7c15ULL;
   return bits ^ bits >> 29U;
+}
+
+/// By number: how many are less.
+FOR_WIDE_TOO void countLess(const std::int32_t* numbers, std::size_t count, std::int32_t* less) {
+  for (std::size_t k = 0; k < count; ++k) {
+    const std::int32_t with = numbers[k];
+    for (std::size_t j = 0; j < count; ++j) less[j] += with < numbers[j] ? 1 : 0;
+  }
 }
 
 }  // namespace
@@ -66,47 +76,71 @@ bool CellMemo::isWorthAsking() {
 bool CellMemo::lookAround(Label site) {
   site_ = site;
   const Point3& from = bins_.sites[static_cast<std::size_t>(site)];
-  around_.clear();
+  near_.clear();
+  near_key_.clear();
   key_ = 0;
-  for (int wall = 0; wall < walls; ++wall) {
-    const Label label = labelOfWall(wall);
-    const double distance = difference(site, label).x;
-    if (distance > 0 && 4 * distance * distance > squared_reach_ * (1 + 1e-9)) continue;
-    const std::uint64_t key =
-        mixed(std::bit_cast<std::uint64_t>(distance) + static_cast<std::uint64_t>(wall));
-    around_.push_back({key, label});
+  const auto take = [this](std::uint64_t key) {
+    near_key_.push_back(static_cast<std::int32_t>(key >> 32U));
     key_ += key;
-  }
+  };
   // What is near by its rounded distance is in these bins: more than rounding can take is added.
   const double reach = std::sqrt(squared_reach_) * (1 + 1e-9);
   const auto margin = [reach](double at) { return reach + 0x1p-50 * std::abs(at); };
   const double x = margin(from.x), y = margin(from.y), z = margin(from.z);
   const auto low = bins_.binOf({from.x - x, from.y - y, from.z - z});
   const auto high = bins_.binOf({from.x + x, from.y + y, from.z + z});
+  const auto away = [&](std::size_t j) {
+    const Point3& p = bins_.sites[j];
+    return Point3{p.x - from.x, p.y - from.y, p.z - from.z};
+  };
   for (int bin_z = low[2]; bin_z <= high[2]; ++bin_z) {
     for (int bin_y = low[1]; bin_y <= high[1]; ++bin_y) {
       const std::size_t line = (static_cast<std::size_t>(bin_z) * static_cast<std::size_t>(bins_.count[1]) +
                                 static_cast<std::size_t>(bin_y)) *
                                static_cast<std::size_t>(bins_.count[0]);
-      const std::uint32_t last = bins_.begin[line + static_cast<std::size_t>(high[0]) + 1];
-      for (std::uint32_t j = bins_.begin[line + static_cast<std::size_t>(low[0])]; j < last; ++j) {
-        const Point3& p = bins_.sites[j];
-        const double dx = p.x - from.x, dy = p.y - from.y, dz = p.z - from.z;
-        if (!(dx * dx + dy * dy + dz * dz <= squared_reach_) || static_cast<Label>(j) == site) continue;
-        const auto bits = [](double number) { return std::bit_cast<std::uint64_t>(number); };
-        const std::uint64_t key = mixed(mixed(mixed(bits(dx)) + bits(dy)) + bits(dz));
-        around_.push_back({key, static_cast<Label>(j)});
-        key_ += key;
+      const std::uint32_t first = bins_.begin[line + static_cast<std::size_t>(low[0])],
+                          last = bins_.begin[line + static_cast<std::size_t>(high[0]) + 1];
+      // Which are within reach cannot be foreseen: no branch.
+      std::size_t count = near_.size();
+      near_.resize(count + (last - first));
+      for (std::uint32_t j = first; j < last; ++j) {
+        const Point3 d = away(j);
+        near_[count] = static_cast<Label>(j);
+        const bool is_near = d.x * d.x + d.y * d.y + d.z * d.z <= squared_reach_;
+        count += is_near && static_cast<Label>(j) != site ? 1 : 0;
       }
-      if (around_.size() > most_around) {
+      near_.resize(count);
+      if (count > most_around) {
         squared_reach_ = 0;
         return false;
       }
     }
   }
-  std::sort(around_.begin(), around_.end(),
-            [](const Neighbor& a, const Neighbor& b) { return a.key < b.key; });
-  return true;
+  for (const Label label : near_) {
+    const Point3 d = away(static_cast<std::size_t>(label));
+    const auto bits = [](double number) { return std::bit_cast<std::uint64_t>(number); };
+    take(mixed(mixed(mixed(bits(d.x)) + bits(d.y)) + bits(d.z)));
+  }
+  for (int wall = 0; wall < walls; ++wall) {
+    const Label label = labelOfWall(wall);
+    const double distance = difference(site, label).x;
+    if (distance > 0 && 4 * distance * distance > squared_reach_ * (1 + 1e-9)) continue;
+    near_.push_back(label);
+    take(mixed(std::bit_cast<std::uint64_t>(distance) + static_cast<std::uint64_t>(wall)));
+  }
+  return order();
+}
+
+/// Orders them by keys, so that two sites see the same differences in the same order. Returns false if two
+/// have one key. They are few: to count for each those before it takes less time than to sort.
+bool CellMemo::order() {
+  const std::size_t count = near_.size();
+  rank_.assign(count, 0);
+  countLess(near_key_.data(), count, rank_.data());
+  constexpr Label none = std::numeric_limits<Label>::min();
+  around_.assign(count, none);
+  for (std::size_t k = 0; k < count; ++k) around_[static_cast<std::size_t>(rank_[k])] = near_[k];
+  return std::ranges::find(around_, none) == around_.end();
 }
 
 /// Of a wall its distance; what stands beside is of no site.
@@ -131,7 +165,7 @@ bool CellMemo::isSame(const Known& known) const {
   }
   bool same = true;
   for (std::size_t k = 0; k < around_.size() && same; ++k) {
-    const Label mine = around_[k].label, its = known.around[k];
+    const Label mine = around_[k], its = known.around[k];
     same = isWallLabel(mine) == isWallLabel(its) && difference(site_, mine) == difference(known.site, its);
   }
   return same;
@@ -151,7 +185,7 @@ bool CellMemo::find(Label site, ExactRow& row) {
 
 void CellMemo::write(const Known& known, ExactRow& row) const {
   row.neighbors.clear();
-  for (const auto face : known.faces) row.neighbors.push_back(around_[face].label);
+  for (const auto face : known.faces) row.neighbors.push_back(around_[face]);
   row.vertices.clear();
   for (const auto& [a, b, c] : known.vertices) row.vertices.push_back({a, b, c});
 }
@@ -169,11 +203,11 @@ void CellMemo::keep(const ExactRow& row, double squared_reach) {
   known.faces.clear();
   known.vertices.clear();
   for (const Label label : row.neighbors) {
-    const auto at = std::ranges::find(around_, label, &Neighbor::label);
+    const auto at = std::ranges::find(around_, label);
     if (at == around_.end()) return;
     known.faces.push_back(static_cast<std::uint8_t>(at - around_.begin()));
   }
-  for (const Neighbor& neighbor : around_) known.around.push_back(neighbor.label);
+  known.around = around_;
   known.site = site_;
   for (const auto& [a, b, c] : row.vertices) {
     known.vertices.push_back(

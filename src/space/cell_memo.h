@@ -32,21 +32,21 @@ class CellMemo {
   void keep(const ExactRow& row, double squared_reach);
   [[nodiscard]] std::size_t found() const { return found_; }
 
+  /// All sites that are at most that far from the last site, and walls; none if it was not looked around.
+  [[nodiscard]] std::span<const Label> around() const { return usable_ ? around_ : std::span<const Label>(); }
+  [[nodiscard]] double squaredReach() const { return squared_reach_; }
+
  private:
   struct Difference {
     double x, y, z;                 ///< rounded
     double rest_x, rest_y, rest_z;  ///< what rounding took
     bool operator==(const Difference&) const = default;
   };
-  struct Neighbor {
-    std::uint64_t key;
-    Label label;
-  };
   struct Known {
     std::uint64_t key = 0;
     double squared_reach = 0;
     Label site = 0;
-    std::vector<Label> around;        ///< by ascending key of their differences
+    std::vector<Label> around;        ///< in the order of order()
     std::vector<std::uint8_t> faces;  ///< which of these
     std::vector<std::array<std::uint8_t, 3>> vertices;
   };
@@ -54,6 +54,7 @@ class CellMemo {
 
   bool isWorthAsking();
   bool lookAround(Label site);
+  bool order();
   [[nodiscard]] Difference difference(Label from_site, Label to) const;
   [[nodiscard]] Known& placeOf(std::uint64_t key) { return table_[(key >> 32U) % table_.size()]; }
   [[nodiscard]] bool isSame(const Known& known) const;
@@ -69,7 +70,9 @@ class CellMemo {
   Label site_ = 0;
   bool usable_ = false;
   std::uint64_t key_ = 0;
-  std::vector<Neighbor> around_;
+  std::vector<Label> near_;  ///< as they were found
+  std::vector<std::int32_t> near_key_, rank_;
+  std::vector<Label> around_;  ///< the same in the order of their keys
 };
 
 }  // namespace vorpipe::space

@@ -110,7 +110,7 @@ class Certifier {
   template <class Body>
   Result<void> inSteps(std::size_t count, std::size_t grain, double from, double to, const Body& body) {
     // As long as a few hundredths of a second, so that who wants to stop need not wait.
-    const std::size_t step = std::max<std::size_t>(std::size_t{1} << 14, grain);
+    const std::size_t step = std::max<std::size_t>(std::size_t{1} << 15, grain);
     for (std::size_t begin = 0; begin < count; begin += step) {
       const std::size_t size = std::min(step, count - begin);
       parallelFor(size, std::min(grain, size), threads_,
@@ -123,12 +123,22 @@ class Certifier {
     return {};
   }
 
-  /// The same with body(begin, end, arena), each with an arena of its own.
+  RowArena takeArena() {
+    const std::scoped_lock lock(mutex_);
+    if (arenas_.empty()) return {};
+    const RowArena arena = arenas_.back();
+    arenas_.pop_back();
+    return arena;
+  }
+
+  /// The same with body(begin, end, arena), each with an arena that no other thread uses.
   template <class Body>
   Result<void> inArenas(std::size_t count, std::size_t grain, double from, double to, const Body& body) {
     return inSteps(count, grain, from, to, [&](std::size_t begin, std::size_t end) {
-      RowArena arena;
+      RowArena arena = takeArena();
       body(begin, end, arena);
+      const std::scoped_lock lock(mutex_);
+      arenas_.push_back(arena);
     });
   }
   void dispute(const SiteList& sites) {
@@ -228,7 +238,7 @@ class Certifier {
   Result<void> recompute(double from, double to) {
     sortUnique(disputed_);
     std::atomic<std::uint64_t> made = 0;
-    const std::size_t grain = std::clamp<std::size_t>(disputed_.size() / 256, 16, 4096);
+    const std::size_t grain = std::clamp<std::size_t>(disputed_.size() / 256, 16, 512);
     const auto done =
         inArenas(disputed_.size(), grain, from, to, [&](std::size_t begin, std::size_t end, RowArena& arena) {
           std::unique_ptr<ExactSearch> search = takeSearch();
@@ -256,7 +266,7 @@ class Certifier {
 
   /// Checks cells, writes their records, and disputes those that are not proved.
   Result<void> check(const SiteList& which) {
-    const std::size_t grain = std::clamp<std::size_t>(which.size() / 16, 1, 4096);
+    const std::size_t grain = std::clamp<std::size_t>(which.size() / 64, 1, 512);
     VORPIPE_TRY(inSteps(which.size(), grain, 0.5, 0.8, [&](std::size_t begin, std::size_t end) {
       CellCheck cell_check(places_, found_.rows, records_.wantMoments());
       SiteList disputed;
@@ -323,6 +333,7 @@ class Certifier {
   std::vector<std::uint8_t> in_double_, exact_;  ///< by site: whether its cell was proposed or made so
   SiteList disputed_;
   std::vector<std::unique_ptr<ExactSearch>> searches_;  ///< that are idle
+  std::vector<RowArena> arenas_;                        ///< with room left, that are idle
   std::optional<std::pair<std::uint32_t, std::uint32_t>>
       near_;  ///< two sites that are too near to each other
   std::mutex mutex_;

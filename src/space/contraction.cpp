@@ -14,18 +14,20 @@ namespace {
 constexpr std::size_t cells_in_step = 256;
 
 /// The sites of cells around the ends of short edges, ascending.
-std::vector<Label> cellsAround(const Rows& rows, const std::vector<ShortEdge>& edges) {
+std::vector<Label> cellsAround(const Rows& rows, const std::vector<ShortEdge>& edges, int threads) {
   if (edges.empty()) return {};
   std::vector<std::uint8_t> wanted(rows.size(), 0);
   const auto want = [&](Label label) {
-    if (!isWallLabel(label)) wanted[static_cast<std::size_t>(label)] = 1;
+    if (isWallLabel(label)) return;
+    std::atomic_ref(wanted[static_cast<std::size_t>(label)]).store(1, std::memory_order_relaxed);
   };
-  for (const auto& edge : edges) {
-    const Row row = rows[static_cast<std::size_t>(edge.site)];
-    const EdgeAround around = edgeAround(row, edge.edge_end);
-    want(edge.site);
+  constexpr std::size_t grain = 4096;
+  parallelEach(edges.size(), grain, threads, [&](std::size_t e) {
+    const Row row = rows[static_cast<std::size_t>(edges[e].site)];
+    const EdgeAround around = edgeAround(row, edges[e].edge_end);
+    want(edges[e].site);
     for (const auto face : {around.face, around.other, around.before, around.after}) want(row.neighbor[face]);
-  }
+  });
   std::vector<Label> cells;
   for (std::size_t i = 0; i < rows.size(); ++i) {
     if (wanted[i] != 0) cells.push_back(static_cast<Label>(i));
@@ -52,7 +54,7 @@ void sortOnce(std::vector<std::uint32_t>& numbers) {
 Result<Contraction> Contraction::of(const Places& places, const Rows& rows,
                                     std::span<const std::uint32_t> tied, int threads) {
   auto edges = shortEdges(places, rows, tied, threads);
-  auto vertices = SharedVertices::of(rows, cellsAround(rows, edges), threads);
+  auto vertices = SharedVertices::of(rows, cellsAround(rows, edges, threads), threads);
   if (!vertices) return tl::unexpected(std::move(vertices).error());
   Contraction contraction(std::move(*vertices));
   TiedEdges ties(places, rows, contraction.vertices_, std::move(edges), threads);

@@ -75,13 +75,34 @@ void ExactSearch::addLine(int x, int end, int y, int z, double limit) {
 /// Sites beyond the root of this cannot cut the cell. Squared distances and radii are rounded.
 double ExactSearch::squaredReach() const { return 4 * (1 + 1e-9) * cell_.squaredRadius(); }
 
+/// Begins with the sites around alone. Returns how far away, squared, others may be.
+double ExactSearch::takeAround(Label site, std::span<const Label> around, double squared_reach) {
+  begin(site);
+  shell_ = last_shell_ + 1;
+  certain_ = std::numeric_limits<double>::infinity();
+  for (const Label label : around) {
+    if (isWallLabel(label)) continue;
+    const Point3& p = bins_.sites[static_cast<std::size_t>(label)];
+    const double dx = p.x - from_.x, dy = p.y - from_.y, dz = p.z - from_.z;
+    found_.push_back({dx * dx + dy * dy + dz * dz, label});
+  }
+  std::sort(found_.begin(), found_.end());
+  sorted_ = found_.size();
+  return squared_reach;
+}
+
 /// Most cells are as large as the one before: candidates that are much farther away are not even collected.
 /// If some could cut after all, the cell is cut once more.
-const ExactCell& ExactSearch::cellOf(Label site) {
+const ExactCell& ExactSearch::cellOf(Label site, std::span<const Label> around, double squared_reach) {
   constexpr double margin = 2;
   cell_.reset(site);
-  for (double expected = margin * last_reach_;; expected = std::numeric_limits<double>::infinity()) {
+  double expected = margin * last_reach_;
+  if (around.empty()) {
     begin(site);
+  } else {
+    expected = takeAround(site, around, squared_reach);
+  }
+  for (;; expected = std::numeric_limits<double>::infinity(), begin(site)) {
     while (!cell_.empty()) {
       const Label by = next(std::min(squaredReach(), expected));
       if (by < 0) break;
@@ -98,7 +119,7 @@ const ExactCell& ExactSearch::cellOf(Label site) {
 
 const ExactRow& ExactSearch::rowOf(Label site) {
   if (memo_.find(site, row_)) return row_;
-  row_.set(cellOf(site).vertices());
+  row_.set(cellOf(site, memo_.around(), memo_.squaredReach()).vertices());
   if (!cell_.empty()) memo_.keep(row_, squaredReach());
   return row_;
 }

@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <limits>
+#include <span>
 #include <vector>
 
 #include "space/cell_memo.h"
@@ -15,8 +16,9 @@ namespace vorpipe::space {
 class ExactSearch {
  public:
   explicit ExactSearch(const SiteBins& bins) : bins_(bins), cell_(bins.places(), 0), memo_(bins) {}
-  /// The exact cell of a site, cut by all sites that can cut it. It is valid until the next.
-  const ExactCell& cellOf(Label site);
+  /// The exact cell of a site, cut by all sites that can cut it. It is valid until the next. `around` are
+  /// those within the root of `squared_reach`, if they are known.
+  const ExactCell& cellOf(Label site, std::span<const Label> around = {}, double squared_reach = 0);
   /// The same as a row, computed only if no cell with the same surroundings was.
   const ExactRow& rowOf(Label site);
   /// How many rows were known.
@@ -32,6 +34,7 @@ class ExactSearch {
   };
   [[nodiscard]] double squaredReach() const;
   void begin(Label site);
+  double takeAround(Label site, std::span<const Label> around, double squared_reach);
   Label next(double limit);
   void addShell(double limit);
   void addLine(int x, int end, int y, int z, double limit);
