@@ -273,7 +273,7 @@ bool forTriangulated(const SiteSet& sites, const std::vector<std::uint32_t>& aro
     if (!(orientation(at(cells[0]), at(cells[1]), at(cells[2])) > 0) || !isAbout(sites, cells, vertex))
       return false;
     Triangles::value_type ids{sites.id[cells[0]], sites.id[cells[1]], sites.id[cells[2]]};
-    std::ranges::rotate(ids, std::ranges::min_element(ids));
+    std::rotate(ids.begin(), std::ranges::min_element(ids), ids.end());
     put(ids);
   }
   return true;

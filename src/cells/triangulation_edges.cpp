@@ -65,8 +65,7 @@ std::vector<SitePair> triangulationEdges(const Sites& sites, const Diagram& diag
     }
   }
   std::ranges::sort(pairs);
-  const auto repeated = std::ranges::unique(pairs);
-  pairs.erase(repeated.begin(), repeated.end());
+  pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());
   return pairs;
 }
 

@@ -201,8 +201,10 @@ bool ContactFinder::insertCorners(const CellSides& sides, std::span<const std::u
     for (const Point corner : corners_) {
       if (isOnSide(sides, k, corner)) on_side_.push_back(corner);
     }
-    for (const auto& node : std::ranges::equal_range(nodes, sideOrder(a, b), {}, orderOf)) {
-      on_side_.push_back(node.at);
+    const auto side = sideOrder(a, b);
+    const auto last = std::ranges::upper_bound(nodes, side, {}, orderOf);
+    for (auto node = std::ranges::lower_bound(nodes, side, {}, orderOf); node != last; ++node) {
+      on_side_.push_back(node->at);
     }
     std::ranges::sort(on_side_.begin() + 1, on_side_.end(), {},
                       [&](Point p) { return placeAlong(sides.from(k), sides.to(k), p); });
@@ -227,8 +229,8 @@ std::vector<MovedVertex> agreed(std::vector<MovedVertex> moved) {
   std::ranges::sort(moved, {}, [](const MovedVertex& m) {
     return std::tuple(m.from.x, m.from.y, m.target, m.to != m.from, m.to.x, m.to.y);
   });
-  const auto rest = std::ranges::unique(moved, {}, &MovedVertex::from);
-  moved.erase(rest.begin(), rest.end());
+  const auto isSame = [](const MovedVertex& a, const MovedVertex& b) { return a.from == b.from; };
+  moved.erase(std::unique(moved.begin(), moved.end(), isSame), moved.end());
   std::erase_if(moved, [](const MovedVertex& m) { return m.to == m.from; });
   return moved;
 }

@@ -79,8 +79,7 @@ class UnrolledBorder {
       led.push_back({p.x + turned - seam - side, p.y});
     }
     for (const Point p : {Point{side, latitude}, Point{side, pole}, Point{-side, pole}}) led.push_back(p);
-    const auto repeated = std::ranges::unique(led);
-    led.erase(repeated.begin(), repeated.end());
+    led.erase(std::unique(led.begin(), led.end()), led.end());
     return led;
   }
 
@@ -198,8 +197,7 @@ std::vector<Point> within(std::vector<Point> ring, double longitude) {
     ring = std::move(kept);
   }
   for (Point& p : ring) p.x -= longitude;
-  const auto last = std::ranges::unique(ring);
-  ring.erase(last.begin(), last.end());
+  ring.erase(std::unique(ring.begin(), ring.end()), ring.end());
   while (ring.size() > 1 && ring.front() == ring.back()) ring.pop_back();
   const bool has_width =
       !ring.empty() && std::ranges::any_of(ring, [&](Point p) { return p.x != ring[0].x; });

@@ -22,20 +22,20 @@ constexpr std::size_t sphere_grain = std::size_t{1} << 14;
 
 /// The outermost sites in 14 directions, and the heaviest; the same for any order of the sites.
 std::vector<std::uint32_t> outermost(const SphereSites& sites, int threads) {
-  constexpr std::array<Direction, 14> ways{{{0, 0, -1},
-                                            {0, 0, 1},
-                                            {0, -1, 0},
-                                            {0, 1, 0},
-                                            {-1, 0, 0},
-                                            {1, 0, 0},
-                                            {-1, -1, -1},
-                                            {1, -1, -1},
-                                            {-1, 1, -1},
-                                            {1, 1, -1},
-                                            {-1, -1, 1},
-                                            {1, -1, 1},
-                                            {-1, 1, 1},
-                                            {1, 1, 1}}};
+  static constexpr std::array<Direction, 14> ways{{{0, 0, -1},
+                                                   {0, 0, 1},
+                                                   {0, -1, 0},
+                                                   {0, 1, 0},
+                                                   {-1, 0, 0},
+                                                   {1, 0, 0},
+                                                   {-1, -1, -1},
+                                                   {1, -1, -1},
+                                                   {-1, 1, -1},
+                                                   {1, 1, -1},
+                                                   {-1, -1, 1},
+                                                   {1, -1, 1},
+                                                   {-1, 1, 1},
+                                                   {1, 1, 1}}};
   const auto vectors = sites.vectors();
   /// The first in each direction, and how far it is.
   struct Outermost {
@@ -214,8 +214,9 @@ void ownHidden(const SphereSites& sites, SphereMesh& mesh) {
   std::ranges::sort(hidden, {}, directionAt);
   for (std::uint32_t i = 0; i < has_cell.size(); ++i) {
     if (has_cell[i] == 0) continue;
-    for (const auto site : std::ranges::equal_range(hidden, directionAt(i), {}, directionAt))
-      mesh.owner[site] = i;
+    const auto last = std::ranges::upper_bound(hidden, directionAt(i), {}, directionAt);
+    for (auto at = std::ranges::lower_bound(hidden, directionAt(i), {}, directionAt); at != last; ++at)
+      mesh.owner[*at] = i;
   }
   for (auto& owner : mesh.owner) owner = mesh.owner[owner];
 }
@@ -247,9 +248,9 @@ std::vector<std::uint32_t> alongLine(const PlaneSites& plane, const std::vector<
   for (std::uint32_t k = 0; k < plane.site.size(); ++k) {
     if (owner[plane.site[k]] == plane.site[k]) order.push_back(k);
   }
-  const auto& [x, y, weight] = plane.sites;
-  std::ranges::sort(order, {}, [&](auto k) { return std::pair(x[k], y[k]); });
-  if (!weight.empty()) dropHidden(plane.sites, order);
+  const Sites& sites = plane.sites;
+  std::ranges::sort(order, {}, [&](auto k) { return std::pair(sites.x[k], sites.y[k]); });
+  if (!sites.weight.empty()) dropHidden(sites, order);
   for (auto& k : order) k = plane.site[k];
   return order;
 }

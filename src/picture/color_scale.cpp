@@ -139,8 +139,8 @@ void joinEqual(std::vector<std::pair<double, double>>& ticks, std::span<const do
       joined.push_back(tick);
       continue;
     }
-    const auto equal = std::ranges::equal_range(ranked, tick.second);
-    const auto first = equal.begin() - ranked.begin(), last = equal.end() - ranked.begin() - 1;
+    const auto first = std::ranges::lower_bound(ranked, tick.second) - ranked.begin(),
+               last = std::ranges::upper_bound(ranked, tick.second) - ranked.begin() - 1;
     if (first <= last) {
       joined.back().first = static_cast<double>(first + last) / 2 / static_cast<double>(ranked.size() - 1);
     }

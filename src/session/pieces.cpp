@@ -43,8 +43,7 @@ class CellBoxes {
         sites.push_back(at->site);
     }
     std::ranges::sort(sites);
-    const auto last = std::ranges::unique(sites);
-    sites.erase(last.begin(), last.end());
+    sites.erase(std::unique(sites.begin(), sites.end()), sites.end());
     return sites;
   }
 
@@ -90,8 +89,7 @@ std::vector<std::uint32_t> meetingOnGlobe(const CellBoxes& boxes, const Outline&
     sites.insert(sites.end(), some.begin(), some.end());
   }
   std::ranges::sort(sites);
-  const auto last = std::ranges::unique(sites);
-  sites.erase(last.begin(), last.end());
+  sites.erase(std::unique(sites.begin(), sites.end()), sites.end());
   return sites;
 }
 
