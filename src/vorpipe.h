@@ -1,5 +1,5 @@
-/// vorpipe: Voronoi (Thiessen, Dirichlet) and power (Laguerre, radical) diagrams of sites in the plane, and
-/// Voronoi diagrams of sites in space.
+/// vorpipe: Voronoi (Thiessen, Dirichlet) and power (Laguerre, radical) diagrams of sites in the plane and
+/// in space.
 ///
 /// The public interface: plain data and functions. Nothing here prints, exits or throws on bad
 /// input; a function that can fail returns Result. Coordinates are the caller's own units.

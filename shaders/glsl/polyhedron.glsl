@@ -55,6 +55,7 @@ void beginPolyhedron(INOUT(Polyhedron) c, REAL xmin, REAL ymin, REAL zmin, REAL 
         c.x[k] = REAL(0);
         c.y[k] = REAL(0);
         c.z[k] = REAL(0);
+        c.beyond[k] = REAL(0);
     }
     for (int w = 0; w < 6; w++) {
         c.on[w] = NO_SLOT;
@@ -114,7 +115,9 @@ void cutOff(INOUT(Polyhedron) c, MASK removed, int name) {
     }
     int face = LOWEST(~c.used);
     // The edges between a vertex that goes and one that stays, where each new vertex lies. Every candidate is written,
-    // and only those that count are kept: a branch here could not be foreseen.
+    // and only those that count are kept: a branch here could not be foreseen. Of what rounding has torn an edge may have
+    // no other end; then any slot is.
+    MASK any_slot = SLOT(SLOTS - 1);
     int a_of[3 * SLOTS];
     int b_of[3 * SLOTS];
     int gone[3 * SLOTS];
@@ -132,19 +135,19 @@ void cutOff(INOUT(Polyhedron) c, MASK removed, int name) {
         a_of[count] = a;
         b_of[count] = b;
         gone[count] = u;
-        kept[count] = LOWEST(other);
+        kept[count] = LOWEST(other | any_slot);
         count += ANY_OF(other & removed) ? 0 : 1;
         other = on_b & on_d;
         a_of[count] = b;
         b_of[count] = d;
         gone[count] = u;
-        kept[count] = LOWEST(other);
+        kept[count] = LOWEST(other | any_slot);
         count += ANY_OF(other & removed) ? 0 : 1;
         other = on_d & on_a;
         a_of[count] = d;
         b_of[count] = a;
         gone[count] = u;
-        kept[count] = LOWEST(other);
+        kept[count] = LOWEST(other | any_slot);
         count += ANY_OF(other & removed) ? 0 : 1;
     }
     MASK room = ~c.live;

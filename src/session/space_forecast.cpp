@@ -25,12 +25,16 @@ MemoryPlan::Array planCells(MemoryPlan& plan, const Workload& work, Detail3 deta
   // Rows, sites in the order of their bins, and places, besides the cells that are written meanwhile. As
   // measured with crystals whose cells are found by exact signs, and with random sites, whose polyhedra take
   // more.
-  constexpr std::uint64_t searched_measures = 920, searched_polyhedra = 800;
+  constexpr std::uint64_t searched_measures = 880, searched_polyhedra = 800, weight_bytes = 16;
+  // Their places, twice, and whose they are.
+  constexpr std::uint64_t image_bytes = 64;
   const bool polyhedra = detail == Detail3::polyhedra;
   const std::uint64_t cell = record_bytes + faces_of_cell * face_bytes + (polyhedra ? polyhedronBytes() : 0);
-  const auto cells = plan.take("cells", work.sites * cell);
-  plan.drop(
-      plan.take("the search for cells", work.sites * (polyhedra ? searched_polyhedra : searched_measures)));
+  const std::uint64_t run = work.sites + work.images;
+  const auto cells = plan.take("cells", run * cell);
+  const std::uint64_t searched =
+      (polyhedra ? searched_polyhedra : searched_measures) + (work.weighted ? weight_bytes : 0);
+  plan.drop(plan.take("the search for cells", run * searched + work.images * image_bytes));
   return cells;
 }
 

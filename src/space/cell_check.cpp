@@ -58,7 +58,7 @@ CellCheck::CellCheck(const Places& places, const Rows& rows, bool moments)
       find_corners_(findCorners()),
       tie_wall_(std::min({places.box.xmax - places.box.xmin, places.box.ymax - places.box.ymin,
                           places.box.zmax - places.box.zmin})) {
-  job_.measure = true;
+  job_.h_size = nullptr;
   job_.moments = moments;
 }
 
@@ -66,7 +66,7 @@ void CellCheck::reserve(std::size_t faces, std::size_t edge_ends) {
   const std::size_t vertices = edge_ends / 3, edges = edge_ends / 2;
   if (faces + vector_size > face_room_) {
     face_room_ = 2 * faces + 64;
-    by_face_.assign(6 * face_room_, 0);
+    by_face_.assign(8 * face_room_, 0);
     nx_ = by_face_.data();
     ny_ = nx_ + face_room_;
     nz_ = ny_ + face_room_;
@@ -78,6 +78,11 @@ void CellCheck::reserve(std::size_t faces, std::size_t edge_ends) {
     job_.h = h_;
     job_.distance = distance_;
     job_.twice_area = distance_ + face_room_;
+    if (places_.weights != nullptr) {
+      h_size_ = job_.twice_area + face_room_;
+      job_.h_size = h_size_;
+      job_.h_around = h_size_ + face_room_;
+    }
   }
   if (vertices + vector_size > vertex_room_) {
     vertex_room_ = 2 * vertices + 128;
@@ -119,6 +124,7 @@ bool CellCheck::takeRow() {
       nz_[f] = axis == 2 ? outward : 0;
       h_[f] = outward * (places_.offset(wall) - (axis == 0 ? p.x : axis == 1 ? p.y : p.z));
       distance_[f] = tie_wall_;
+      if (h_size_ != nullptr) h_size_[f] = std::abs(h_[f]);
     } else {
       if (label == site_ || static_cast<std::size_t>(label) >= rows_.size()) return false;
       rows_.prefetch(static_cast<std::size_t>(label));
@@ -129,6 +135,10 @@ bool CellCheck::takeRow() {
       const double squared = nx_[f] * nx_[f] + ny_[f] * ny_[f] + nz_[f] * nz_[f];
       h_[f] = squared / 2;
       distance_[f] = std::sqrt(squared);
+      if (h_size_ == nullptr) continue;
+      const double lighter = places_.weights[site_] - places_.weights[label];
+      h_[f] = (squared + lighter) / 2;
+      h_size_[f] = (squared + std::abs(lighter)) / 2;
     }
   }
   if (row_.faces <= most_small) {
@@ -279,7 +289,7 @@ bool CellCheck::provedExactly(Verdict& verdict, bool all) const {
   return true;
 }
 
-Verdict CellCheck::check(Label site, Signs signs) {
+Verdict CellCheck::check(Label site, Signs signs, bool measure) {
   Verdict verdict;
   site_ = site;
   row_ = rows_[static_cast<std::size_t>(site)];
@@ -292,6 +302,7 @@ Verdict CellCheck::check(Label site, Signs signs) {
     verdict.broken = Broken::rings;
     return verdict;
   }
+  job_.measure = measure;
   job_.tie = 1.01e-6;
   find_corners_(job_);
   verdict.tied = job_.tied;

@@ -48,9 +48,12 @@ class CellCheck {
   CellCheck(const Places& places, const Rows& rows, bool moments = false);
 
   /// Checks the cell of a site that has a row.
-  Verdict check(Label site, Signs signs = Signs::of_least);
+  Verdict check(Label site, Signs signs = Signs::of_least, bool measure = true);
 
-  // Of the last cell, if it is not broken and not unsure.
+  // Of the last cell, if it was measured, is not broken and not unsure.
+  [[nodiscard]] std::size_t vertices() const { return job_.vertices; }
+  /// Relative to the site.
+  [[nodiscard]] Point3 vertex(std::size_t v) const { return {job_.x[v], job_.y[v], job_.z[v]}; }
   [[nodiscard]] CellMeasures measures() const;
   [[nodiscard]] double faceArea(std::size_t face) const;
   /// About the centroid: xx, yy, zz, yz, xz, xy.
@@ -75,7 +78,8 @@ class CellCheck {
   std::vector<std::int32_t> corners_, edges_;
   std::vector<std::uint8_t> turned_, unproved_;
   std::size_t face_room_ = 0, vertex_room_ = 0, edge_room_ = 0;
-  double *nx_ = nullptr, *ny_ = nullptr, *nz_ = nullptr, *h_ = nullptr, *distance_ = nullptr;
+  double *nx_ = nullptr, *ny_ = nullptr, *nz_ = nullptr, *h_ = nullptr, *distance_ = nullptr,
+         *h_size_ = nullptr;
   CornerJob job_{};
 };
 

@@ -74,7 +74,6 @@ bool CellMemo::isWorthAsking() {
 /// Finds the sites within reach, and the walls within half of it: no point of the cell is farther. Returns
 /// false if there are too many.
 bool CellMemo::lookAround(Label site) {
-  site_ = site;
   const Point3& from = bins_.sites[static_cast<std::size_t>(site)];
   near_.clear();
   near_key_.clear();
@@ -119,7 +118,12 @@ bool CellMemo::lookAround(Label site) {
   for (const Label label : near_) {
     const Point3 d = away(static_cast<std::size_t>(label));
     const auto bits = [](double number) { return std::bit_cast<std::uint64_t>(number); };
-    take(mixed(mixed(mixed(bits(d.x)) + bits(d.y)) + bits(d.z)));
+    std::uint64_t key = mixed(mixed(mixed(bits(d.x)) + bits(d.y)) + bits(d.z));
+    if (bins_.hasWeights()) {
+      key = mixed(key + bits(bins_.weights[static_cast<std::size_t>(site)] -
+                             bins_.weights[static_cast<std::size_t>(label)]));
+    }
+    take(key);
   }
   for (int wall = 0; wall < walls; ++wall) {
     const Label label = labelOfWall(wall);
@@ -150,17 +154,32 @@ CellMemo::Difference CellMemo::difference(Label from_site, Label to) const {
     const int wall = wallOf(to);
     const double at = coordinate(from, axisOf(wall)), offset = bins_.places().offset(wall);
     const auto out = isUpper(wall) ? DoubleDouble::sum(offset, -at) : DoubleDouble::sum(at, -offset);
-    return {out.high, static_cast<double>(wall), HUGE_VAL, out.low, 0, 0};
+    return {out.high, static_cast<double>(wall), HUGE_VAL, out.low, 0, 0, 0, 0};
   }
   const Point3& p = bins_.sites[static_cast<std::size_t>(to)];
   const auto x = DoubleDouble::sum(p.x, -from.x), y = DoubleDouble::sum(p.y, -from.y),
              z = DoubleDouble::sum(p.z, -from.z);
-  return {x.high, y.high, z.high, x.low, y.low, z.low};
+  DoubleDouble lighter;
+  if (bins_.hasWeights()) {
+    lighter = DoubleDouble::sum(bins_.weights[static_cast<std::size_t>(from_site)],
+                                -bins_.weights[static_cast<std::size_t>(to)]);
+  }
+  return {x.high, y.high, z.high, x.low, y.low, z.low, lighter.high, lighter.low};
+}
+
+/// R + root(R^2 + w), w being what the heaviest of all sites is heavier by; all is rounded.
+double CellMemo::reachOf(double squared_radius) const {
+  constexpr double margin = 1 + 1e-9;
+  if (!bins_.hasWeights()) return 4 * margin * squared_radius;
+  const double heavier =
+      bins_.heaviest.at(bins_.heaviest.levels() - 1, 0) - bins_.weights[static_cast<std::size_t>(site_)];
+  const double reach = std::sqrt(squared_radius) + std::sqrt(squared_radius + margin * heavier);
+  return margin * reach * reach;
 }
 
 bool CellMemo::isSame(const Known& known) const {
-  if (known.key != key_ || known.around.size() != around_.size() || known.squared_reach > squared_reach_ ||
-      known.around.empty()) {
+  if (known.key != key_ || known.around.size() != around_.size() ||
+      reachOf(known.squared_radius) > squared_reach_ || known.around.empty()) {
     return false;
   }
   bool same = true;
@@ -172,6 +191,7 @@ bool CellMemo::isSame(const Known& known) const {
 }
 
 bool CellMemo::find(Label site, ExactRow& row) {
+  site_ = site;
   usable_ = squared_reach_ > 0 && isWorthAsking() && lookAround(site);
   if (!usable_) return false;
   ++asked_;
@@ -190,7 +210,8 @@ void CellMemo::write(const Known& known, ExactRow& row) const {
   for (const auto& [a, b, c] : known.vertices) row.vertices.push_back({a, b, c});
 }
 
-void CellMemo::keep(const ExactRow& row, double squared_reach) {
+void CellMemo::keep(const ExactRow& row, double squared_radius) {
+  const double squared_reach = reachOf(squared_radius);
   if (!usable_ || squared_reach > squared_reach_) {
     // A bit more, so that it does not depend on rounding which sites of a lattice are in reach.
     if (std::ranges::none_of(row.neighbors, isWallLabel))
@@ -214,7 +235,7 @@ void CellMemo::keep(const ExactRow& row, double squared_reach) {
         {static_cast<std::uint8_t>(a), static_cast<std::uint8_t>(b), static_cast<std::uint8_t>(c)});
   }
   known.key = key_;
-  known.squared_reach = squared_reach;
+  known.squared_radius = squared_radius;
 }
 
 }  // namespace vorpipe::space

@@ -18,18 +18,17 @@ struct ExactRow {
   void set(std::span<const std::array<Label, 3>> corners);
 };
 
-/// The exact cell of a site depends on the exact differences between the sites and walls around and it, ties
-/// included: they are broken by the order of coordinates. In lattices these differences repeat, even
-/// where coordinates are rounded. Cells are kept by them, in a table of fixed size; one for each thread.
-/// Where few repeat it is asked less and less.
+/// The exact cell of a site depends on the exact differences between the sites and walls around and it, and
+/// between their weights, ties included: they are broken by the order of coordinates. In lattices these
+/// differences repeat, even where coordinates are rounded. Cells are kept by them, in a table of fixed size;
+/// one for each thread. Where few repeat it is asked less and less.
 class CellMemo {
  public:
   explicit CellMemo(const SiteBins& bins);
   /// Whether there is a cell with the same sites around; it is written to `row`.
   bool find(Label site, ExactRow& row);
-  /// Keeps the exact cell of the last site that was not found. All sites that can cut it are within the root
-  /// of `squared_reach`.
-  void keep(const ExactRow& row, double squared_reach);
+  /// Keeps the exact cell of the last site that was not found: within the root of `squared_radius` from it.
+  void keep(const ExactRow& row, double squared_radius);
   [[nodiscard]] std::size_t found() const { return found_; }
 
   /// All sites that are at most that far from the last site, and walls; none if it was not looked around.
@@ -40,11 +39,12 @@ class CellMemo {
   struct Difference {
     double x, y, z;                 ///< rounded
     double rest_x, rest_y, rest_z;  ///< what rounding took
+    double lighter, rest_lighter;   ///< weights, likewise
     bool operator==(const Difference&) const = default;
   };
   struct Known {
     std::uint64_t key = 0;
-    double squared_reach = 0;
+    double squared_radius = 0;
     Label site = 0;
     std::vector<Label> around;        ///< in the order of order()
     std::vector<std::uint8_t> faces;  ///< which of these
@@ -56,6 +56,8 @@ class CellMemo {
   bool lookAround(Label site);
   bool order();
   [[nodiscard]] Difference difference(Label from_site, Label to) const;
+  /// All sites that can cut a cell of the last site are within the root of this.
+  [[nodiscard]] double reachOf(double squared_radius) const;
   [[nodiscard]] Known& placeOf(std::uint64_t key) { return table_[(key >> 32U) % table_.size()]; }
   [[nodiscard]] bool isSame(const Known& known) const;
   void write(const Known& known, ExactRow& row) const;

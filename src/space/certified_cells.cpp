@@ -33,21 +33,15 @@ class RecordEnd {
     out_.owner.assign(cells_.owner.begin(), cells_.owner.end());
     const auto without_room = measure();
     if (detail_ == Detail3::measures) cells_.rows.forgetRings();
-    makeRoom();
+    const auto changed = findChanged();
+    const auto before = out_.face_offsets;
+    makeRoom(changed, before);
+    writeNeighbors([&] { moveAreas(changed, before); });
     writeAreas(without_room);
     clearEmpty();
-    writeNeighbors();
   }
 
  private:
-  /// Calls each(site, row) for those with rows.
-  template <class Each>
-  void forRows(const Each& each) const {
-    parallelEach(cells_.rows.size(), cells_in_batch, threads_, [&](std::size_t i) {
-      const Row row = cells_.rows[i];
-      if (row.faces != 0) each(i, row);
-    });
-  }
   [[nodiscard]] bool remains(std::uint32_t cell, std::size_t face) const {
     return cell == SharedVertices::nowhere || contraction_.remaining(cell, face) != 0;
   }
@@ -71,6 +65,7 @@ class RecordEnd {
         if (row.faces == 0) continue;
         measures.measure(static_cast<Label>(i), row);
         records_.write(i, measures.measures(), measures.secondMoments());
+        records_.writeBalls(i, measures.vertices(), [&](std::size_t v) { return measures.vertex(v); });
         if (!records_.hasRoom(i, row.faces)) {
           const std::scoped_lock lock(mutex);
           without_room.push_back({i, measures.areas()});
@@ -105,44 +100,58 @@ class RecordEnd {
     return changed;
   }
 
-  /// Gives each cell room for the faces that remain. Their areas go along.
-  void makeRoom() {
-    const auto changed = findChanged();
+  using Offsets = std::vector<std::uint64_t>;
+
+  /// Gives each cell room for the faces that remain.
+  void makeRoom(std::span<const Changed> changed, const Offsets& before) {
     if (changed.empty()) return;
-    const auto before = out_.face_offsets;
-    auto& offsets = out_.face_offsets;
-    bool grows = false;
     std::uint64_t end = 0;
     for (auto [i, next] = std::pair(std::size_t{0}, changed.begin()); i < out_.size(); ++i) {
       const bool is_changed = next != changed.end() && next->input == i;
       end += is_changed ? next->faces : before[i + 1] - before[i];
       if (is_changed && next->faces == 0) out_.status[i] = Status::empty;
       next += is_changed ? 1 : 0;
-      grows = grows || end > before[i + 1];
-      offsets[i + 1] = end;
+      out_.face_offsets[i + 1] = end;
     }
-    std::vector<double> elsewhere(grows ? end : 0);
-    const double* const from = out_.face_areas.data();
-    double* const to = grows ? elsewhere.data() : out_.face_areas.data();
-    std::size_t cell = 0;
-    const auto moveUpTo = [&](std::size_t last) {
-      const std::size_t count = before[last] - before[cell];
-      if (count > 0) std::memmove(to + offsets[cell], from + before[cell], count * sizeof(double));
+  }
+
+  /// Moves areas to where the room of their cells is now: first those that go up, the last of them first;
+  /// then the others. So none is written over before it has moved.
+  void moveAreas(std::span<const Changed> changed, const Offsets& before) {
+    if (changed.empty()) return;
+    const auto& offsets = out_.face_offsets;
+    out_.face_areas.resize(std::max(before.back(), offsets.back()));
+    const auto goesUp = [&](std::size_t cell) { return offsets[cell] > before[cell]; };
+    // The cells between two that changed, and one that changed.
+    const auto firstBetween = [&](std::size_t k) {
+      return k == 0 ? std::size_t{0} : changed[k - 1].input + std::size_t{1};
     };
-    for (const auto& [input, site, faces] : changed) {
-      moveUpTo(input);
-      cell = input + std::size_t{1};
-      const std::uint64_t room = before[cell] - before[input];
-      if (room != cells_.rows[site].faces) continue;
-      const std::uint32_t contracted = contraction_.cellOf(static_cast<Label>(site));
-      double* area = to + offsets[input];
+    const auto moveBetween = [&](std::size_t k) {
+      const std::size_t first = firstBetween(k), last = k == changed.size() ? out_.size() : changed[k].input;
+      double* const areas = out_.face_areas.data();
+      std::memmove(areas + offsets[first], areas + before[first],
+                   (before[last] - before[first]) * sizeof(double));
+    };
+    std::vector<double> kept;
+    const auto moveOf = [&](const Changed& cell) {
+      const std::uint64_t from = before[cell.input], room = before[cell.input + std::size_t{1}] - from;
+      if (room != cells_.rows[cell.site].faces) return;  // it is measured anew
+      const std::uint32_t contracted = contraction_.cellOf(static_cast<Label>(cell.site));
+      kept.clear();
       for (std::size_t f = 0; f < room; ++f) {
-        if (remains(contracted, f)) *area++ = from[before[input] + f];
+        if (remains(contracted, f)) kept.push_back(out_.face_areas[from + f]);
       }
+      std::ranges::copy(kept, out_.face_areas.data() + offsets[cell.input]);
+    };
+    for (std::size_t k = changed.size() + 1; k-- > 0;) {
+      if (goesUp(firstBetween(k))) moveBetween(k);
+      if (k > 0 && goesUp(changed[k - 1].input)) moveOf(changed[k - 1]);
     }
-    moveUpTo(out_.size());
-    if (grows) out_.face_areas = std::move(elsewhere);
-    out_.face_areas.resize(end);
+    for (std::size_t k = 0; k <= changed.size(); ++k) {
+      if (k > 0 && !goesUp(changed[k - 1].input)) moveOf(changed[k - 1]);
+      if (!goesUp(firstBetween(k))) moveBetween(k);
+    }
+    out_.face_areas.resize(offsets.back());
   }
 
   void writeAreas(const std::vector<Areas>& of_cells) {
@@ -165,16 +174,29 @@ class RecordEnd {
     }
   }
 
-  void writeNeighbors() {
+  /// Writes them while one thread does `meanwhile`.
+  template <class Meanwhile>
+  void writeNeighbors(const Meanwhile& meanwhile) {
     reserveAll(out_.neighbors, out_.face_offsets.back(), threads_);
     out_.neighbors.resize(out_.face_offsets.back());
-    forRows([&](std::size_t i, const Row& row) {
-      const std::uint32_t cell = contraction_.cellOf(static_cast<Label>(i));
-      std::uint64_t to = out_.face_offsets[cells_.input[i]];
-      for (std::size_t f = 0; f < row.faces; ++f) {
-        if (remains(cell, f)) out_.neighbors[to++] = publicNumber(cells_, row.neighbor[f]);
-      }
-    });
+    parallelFor(cells_.rows.size() + cells_in_batch, cells_in_batch, threads_,
+                [&](std::size_t begin, std::size_t end) {
+                  if (begin == 0) {
+                    meanwhile();
+                    return;
+                  }
+                  for (std::size_t i = begin - cells_in_batch; i < end - cells_in_batch; ++i)
+                    writeNeighborsOf(i);
+                });
+  }
+
+  void writeNeighborsOf(std::size_t i) {
+    const Row row = cells_.rows[i];
+    const std::uint32_t cell = contraction_.cellOf(static_cast<Label>(i));
+    std::uint64_t to = out_.face_offsets[cells_.input[i]];
+    for (std::size_t f = 0; f < row.faces; ++f) {
+      if (remains(cell, f)) out_.neighbors[to++] = publicNumber(cells_, row.neighbor[f]);
+    }
   }
 
   const ProvedCells& cells_;

@@ -16,6 +16,7 @@
 #include "base/try.h"
 #include "space/cell_check.h"
 #include "space/exact_search.h"
+#include "space/hidden.h"
 
 namespace vorpipe::space {
 namespace {
@@ -25,9 +26,11 @@ using SiteList = std::vector<std::uint32_t>;
 /// Of the box's longest side, which is from 1 to 2 in a run.
 constexpr double least_distance = 0x1p-80;
 
+constexpr std::size_t rows_in_part = std::size_t{1} << 14;
+
 void sortUnique(SiteList& sites) {
   std::ranges::sort(sites);
-  sites.erase(std::ranges::unique(sites).begin(), sites.end());
+  sites.erase(std::unique(sites.begin(), sites.end()), sites.end());
 }
 
 bool isOutside(const Places& places, std::size_t site) {
@@ -51,7 +54,8 @@ class Certifier {
         tied_(bins.sites.size(), 0),
         unmeasured_(bins.sites.size(), 0),
         in_double_(bins.sites.size(), 0),
-        exact_(bins.sites.size(), 0) {}
+        exact_(bins.sites.size(), 0),
+        hidden_(bins.sites.size(), 0) {}
 
   Result<CertifiedRows> run() {
     VORPIPE_TRY(begin());
@@ -62,7 +66,7 @@ class Certifier {
     for (;;) {
       VORPIPE_TRY(check(which));
       if (disputed_.empty()) {
-        if (cellsOfCorner(found_.rows) == 1 && !forgetsSite(places_, found_.rows, exact_)) break;
+        if (cellsOfCorner(found_.rows, threads_) == 1 && !forgetsSite(found_.rows, hidden_, threads_)) break;
         if (all) return tl::unexpected(remains("the cells do not cover the box once"));
         all = true;
         disputed_ = allSites();
@@ -79,7 +83,7 @@ class Certifier {
       which.insert(which.end(), after.begin(), after.end());
       sortUnique(which);
     }
-    if (near_) return tl::unexpected(nearSites(near_->first, near_->second));
+    if (near_) return tl::unexpected(refuseNear(near_->first, near_->second));
     for (std::uint32_t i = 0; i < tied_.size(); ++i) {
       if (tied_[i] != 0) found_.tied.push_back(i);
       if (unmeasured_[i] != 0) found_.unmeasured.push_back(i);
@@ -92,25 +96,21 @@ class Certifier {
     return {ErrorCode::device, what + " after exact arithmetic: a fault of vorpipe"};
   }
 
-  [[nodiscard]] Error nearSites(std::uint32_t a, std::uint32_t b) const {
-    const auto text = [this](std::uint32_t site) {
+  [[nodiscard]] Error refuseNear(std::uint32_t a, std::uint32_t b) const {
+    const auto at = [this](std::uint32_t site) {
       const Point3& p = bins_.sites[site];
-      return fmt::format("{}, {}, {}", p.x / bins_.scale, p.y / bins_.scale, p.z / bins_.scale);
+      return Point3{p.x / bins_.scale, p.y / bins_.scale, p.z / bins_.scale};
     };
     if (bins_.input[a] > bins_.input[b]) std::swap(a, b);
-    return refusal(
-        Subject::sites,
-        fmt::format("sites {} and {}: {} and {} are not equal, but nearer to each other than {:.0e} "
-                    "of the domain's longest side: make them equal, or move one",
-                    bins_.input[a], bins_.input[b], text(a), text(b), least_distance));
+    return nearSites(bins_.input[a], at(a), bins_.input[b], at(b));
   }
 
   /// Runs body(begin, end) for ranges of [0, count) on all threads, and tells progress in between, which goes
   /// from one part of the whole to another.
   template <class Body>
   Result<void> inSteps(std::size_t count, std::size_t grain, double from, double to, const Body& body) {
-    // As long as a few hundredths of a second, so that who wants to stop need not wait.
-    const std::size_t step = std::max<std::size_t>(std::size_t{1} << 15, grain);
+    // As long as a few tenths of a second at most, so that who wants to stop need not wait.
+    const std::size_t step = 64 * grain;
     for (std::size_t begin = 0; begin < count; begin += step) {
       const std::size_t size = std::min(step, count - begin);
       parallelFor(size, std::min(grain, size), threads_,
@@ -183,24 +183,32 @@ class Certifier {
   SiteList propose(Precision precision, std::uint32_t bin, std::uint32_t first, std::uint32_t last,
                    RowArena& arena) {
     struct Taken {
-      Rows& rows;
+      Certifier& certifier;
       RowArena& arena;
       SiteList left;
-    } taken{found_.rows, arena, {}};
+    } taken{*this, arena, {}};
     proposeCells(precision)(
         lanes_, bin, first, last,
         [](void* context, std::uint32_t site, const ProposedCell& cell) {
-          auto& [rows, into, left] = *static_cast<Taken*>(context);
+          auto& [certifier, into, left] = *static_cast<Taken*>(context);
+          Rows& rows = certifier.found_.rows;
           if (cell.state == Proposed::whole &&
               rows.set(site, {cell.neighbor, static_cast<std::size_t>(cell.faces)}, cell.corner,
                        static_cast<std::size_t>(cell.vertices), into)) {
             return;
           }
           rows.clear(site);
-          left.push_back(site);
+          if (cell.state != Proposed::empty || !certifier.hides(site, std::to_array(cell.emptied_by)))
+            left.push_back(site);
         },
         &taken);
     return std::move(taken.left);
+  }
+
+  /// Whether a site has no cell, for a reason that is to be proved. What is proved once remains so.
+  bool hides(std::uint32_t site, const NoCell& reason) {
+    if (hidden_[site] == 0 && leaveNothing(places_, static_cast<Label>(site), reason)) hidden_[site] = 1;
+    return hidden_[site] != 0;
   }
 
   /// The part of a sample of cells that are not right if they are proposed so; 0 of few sites.
@@ -216,8 +224,10 @@ class Certifier {
       propose(precision, bin, first, last, arena);
       for (std::uint32_t site = first; site < last; ++site) {
         ++sites;
-        const bool right = found_.rows[site].faces != 0 &&
-                           cell_check.check(static_cast<Label>(site), Signs::all).broken == Broken::nothing;
+        const bool right =
+            found_.rows[site].faces == 0
+                ? hidden_[site] != 0
+                : cell_check.check(static_cast<Label>(site), Signs::all).broken == Broken::nothing;
         wrong += right ? 0 : 1;
         found_.rows.clear(site);
       }
@@ -253,7 +263,11 @@ class Certifier {
             exact_[site] = 1;
             ++made;
             found_.rows.clear(site);
-            if (!row.neighbors.empty()) found_.rows.set(site, row.neighbors, row.vertices, arena);
+            if (row.neighbors.empty()) {
+              hides(site, search->emptiedBy());
+            } else {
+              found_.rows.set(site, row.neighbors, row.vertices, arena);
+            }
           }
           const std::scoped_lock lock(mutex_);
           searches_.push_back(std::move(search));
@@ -266,7 +280,7 @@ class Certifier {
 
   /// Checks cells, writes their records, and disputes those that are not proved.
   Result<void> check(const SiteList& which) {
-    const std::size_t grain = std::clamp<std::size_t>(which.size() / 64, 1, 512);
+    const std::size_t grain = std::clamp<std::size_t>(which.size() / 64, 1, 1024);
     VORPIPE_TRY(inSteps(which.size(), grain, 0.5, 0.8, [&](std::size_t begin, std::size_t end) {
       CellCheck cell_check(places_, found_.rows, records_.wantMoments());
       SiteList disputed;
@@ -278,11 +292,13 @@ class Certifier {
           found_.rows.prefetch(which[k + 4]);
         }
         if (found_.rows[site].faces == 0) {
-          if (exact_[site] == 0) disputed.push_back(site);
+          if (hidden_[site] == 0) disputed.push_back(site);
+          unmeasured_[site] = records_.hasRoom(site, 0) ? 0 : 1;
           continue;
         }
-        const Verdict verdict =
-            cell_check.check(static_cast<Label>(site), exact_[site] != 0 ? Signs::none : Signs::of_least);
+        const bool wanted = records_.wants(site);
+        const Verdict verdict = cell_check.check(static_cast<Label>(site),
+                                                 exact_[site] != 0 ? Signs::none : Signs::of_least, wanted);
         if (verdict.broken != Broken::nothing) {
           disputed.push_back(site);
           for (const Label with : verdict.with) {
@@ -299,8 +315,9 @@ class Certifier {
         const std::size_t faces = found_.rows[site].faces;
         const bool measured = !verdict.unsure && !isOutside(places_, site) && records_.hasRoom(site, faces);
         unmeasured_[site] = measured ? 0 : 1;
-        if (!measured) continue;
+        if (!measured || !wanted) continue;
         records_.write(site, cell_check.measures(), cell_check.secondMoments());
+        records_.writeBalls(site, cell_check.vertices(), [&](std::size_t v) { return cell_check.vertex(v); });
         for (std::size_t f = 0; f < faces; ++f) records_.writeArea(site, f, cell_check.faceArea(f));
       }
       dispute(disputed);
@@ -331,6 +348,7 @@ class Certifier {
   CertifiedRows found_;
   std::vector<std::uint8_t> tied_, unmeasured_;  ///< by site
   std::vector<std::uint8_t> in_double_, exact_;  ///< by site: whether its cell was proposed or made so
+  std::vector<std::uint8_t> hidden_;             ///< by site: whether it is proved to have no cell
   SiteList disputed_;
   std::vector<std::unique_ptr<ExactSearch>> searches_;  ///< that are idle
   std::vector<RowArena> arenas_;                        ///< with room left, that are idle
@@ -341,28 +359,37 @@ class Certifier {
 
 }  // namespace
 
-std::size_t cellsOfCorner(const Rows& rows) {
-  std::size_t cells = 0;
-  for (std::size_t site = 0; site < rows.size(); ++site) {
+std::size_t cellsOfCorner(const Rows& rows, int threads) {
+  std::atomic<std::size_t> cells = 0;
+  parallelEach(rows.size(), rows_in_part, threads, [&](std::size_t site) {
     const Row row = rows[site];
-    if (row.faces == 0 || !isWallLabel(row.neighbor[0])) continue;  // walls come first
+    if (row.faces == 0 || !isWallLabel(row.neighbor[0])) return;  // walls come first
     const std::size_t x = row.faceOf(labelOfWall(0)), y = row.faceOf(labelOfWall(2)),
                       z = row.faceOf(labelOfWall(4));
-    if (x == row.faces || y == row.faces || z == row.faces) continue;
+    if (x == row.faces || y == row.faces || z == row.faces) return;
     const Ring ring = row.ring(x);
     for (std::size_t k = 0; k < ring.size(); ++k) {
       const std::size_t b = ring[k], c = ring[k + 1 == ring.size() ? 0 : k + 1];
-      cells += (b == y && c == z) || (b == z && c == y) ? 1 : 0;
+      if ((b == y && c == z) || (b == z && c == y)) ++cells;
     }
-  }
+  });
   return cells;
 }
 
-bool forgetsSite(const Places& places, const Rows& rows, std::span<const std::uint8_t> exact) {
-  for (std::size_t site = 0; site < rows.size(); ++site) {
-    if (rows[site].faces == 0 && (exact[site] == 0 || !isOutside(places, site))) return true;
-  }
-  return false;
+bool forgetsSite(const Rows& rows, std::span<const std::uint8_t> hidden, int threads) {
+  std::atomic<bool> forgets = false;
+  parallelEach(rows.size(), rows_in_part, threads, [&](std::size_t site) {
+    if (rows[site].faces == 0 && hidden[site] == 0) forgets = true;
+  });
+  return forgets;
+}
+
+Error nearSites(std::uint32_t a, const Point3& at_a, std::uint32_t b, const Point3& at_b) {
+  const auto text = [](const Point3& p) { return fmt::format("{}, {}, {}", p.x, p.y, p.z); };
+  return refusal(Subject::sites,
+                 fmt::format("sites {} and {}: {} and {} are not equal, but nearer to each other than {:.0e} "
+                             "of the domain's longest side: make them equal, or move one",
+                             a, b, text(at_a), text(at_b), least_distance));
 }
 
 Result<CertifiedRows> certify(const SiteBins& bins, Records& records, const Progress& progress, int threads) {

@@ -21,15 +21,19 @@ struct CertifiedRows {
 };
 
 /// Condition C4: the number of cells that have the corner of xmin, ymin and zmin is 1.
-std::size_t cellsOfCorner(const Rows& rows);
+std::size_t cellsOfCorner(const Rows& rows, int threads = 1);
 
-/// Condition C5: whether a site without a row was not computed exactly, or lies in the box, where each site
-/// has a cell. `exact` is by site.
-bool forgetsSite(const Places& places, const Rows& rows, std::span<const std::uint8_t> exact);
+/// Condition C5: whether a site without a row is not proved to have no cell. `hidden` is by site: whether
+/// leaveNothing() has said so.
+bool forgetsSite(const Rows& rows, std::span<const std::uint8_t> hidden, int threads = 1);
+
+/// Two sites, by their numbers in the input and their places there, that are nearer to each other than cells
+/// are computed of.
+Error nearSites(std::uint32_t a, const Point3& at_a, std::uint32_t b, const Point3& at_b);
 
 /// Writes the records of all cells but of those whose vertices are too badly conditioned for quick measures.
-/// Errors: progress asked to stop (cancelled); cells that remain in dispute, which is a fault of vorpipe
-/// (device).
+/// Errors: sites that are too near to each other (input); progress asked to stop (cancelled); cells that
+/// remain in dispute, which is a fault of vorpipe (device).
 Result<CertifiedRows> certify(const SiteBins& bins, Records& records, const Progress& progress, int threads);
 
 }  // namespace vorpipe::space

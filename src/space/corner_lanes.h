@@ -8,11 +8,14 @@ namespace vorpipe::space {
 
 /// A cell with its faces, vertices and edges in arrays that have room for 8 more of each. Everything is
 /// relative to the site. A face lies in the plane p . n = h: n is the place of another site, h half of its
-/// square; or a wall's normal and distance. A vertex has three faces, counter-clockwise seen from outside. An
-/// edge lies between faces a and b: from the vertex where b follows a to the one where a follows b.
+/// square, with weights and of what it is lighter by; or a wall's normal and distance. A vertex has three
+/// faces, counter-clockwise seen from outside. An edge lies between faces a and b: from the vertex where b
+/// follows a to the one where a follows b.
 struct CornerJob {
   std::size_t faces, vertices, edges;
   const double *nx, *ny, *nz, *h;
+  const double* h_size;                   ///< with weights: half the magnitudes of h's two parts; else null
+  double* h_around;                       ///< with weights: room by face
   const double* distance;                 ///< by face: to the site, or for a wall the box's shortest side
   const std::int32_t* corner[3];          ///< by vertex: its faces
   const std::int32_t *a, *b, *from, *to;  ///< by edge: its faces and vertices

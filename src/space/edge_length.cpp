@@ -35,7 +35,7 @@ struct ExactRelative {
     const Point3& from = places.sites[site];
     const Relative near = relative(places, site, other);
     size = near.size();
-    lift_size = std::abs(near.lift);
+    lift_size = near.lift_size;
     if (isWallLabel(other)) {
       x = T(near.x);
       y = T(near.y);
@@ -50,6 +50,8 @@ struct ExactRelative {
     y = exactDifference<T>(to.y, from.y);
     z = exactDifference<T>(to.z, from.z);
     lift = x * x + y * y + z * z;
+    if (places.weights != nullptr)
+      lift = lift + exactDifference<T>(places.weights[site], places.weights[other]);
   }
 };
 

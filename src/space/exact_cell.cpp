@@ -60,6 +60,7 @@ bool ExactCell::cut(Label by) {
   if (removed_.empty()) return false;
   squared_radius_ = -1;
   if (removed_.size() == label_.size()) {
+    noteEmpty(by);
     label_.clear();
     spot_.clear();
     blocks_.reset();
@@ -99,6 +100,19 @@ void ExactCell::findRemoved(Label by) {
     removed_.push_back(v);
   }
   if (blocks_) std::ranges::sort(removed_);
+}
+
+/// Of what is left there is a vertex that no other is nearer than to the plane that cuts everything off.
+void ExactCell::noteEmpty(Label by) {
+  const HalfSpace half_space(relative(places_, site_, by));
+  const auto far = [&](const VertexSpot& spot) { return half_space.above(spot.x, spot.y, spot.z); };
+  const auto take = [&](const std::array<Label, 3>& label) {
+    emptied_by_ = {label[0], label[1], label[2], by};
+    return isNearestVertex(places_, site_, emptied_by_);
+  };
+  const auto nearest = std::ranges::min_element(spot_, {}, far) - spot_.begin();
+  if (take(label_[static_cast<std::size_t>(nearest)])) return;
+  std::ranges::any_of(label_, take);
 }
 
 /// The edges of removed vertices that no other removed vertex has; each named as its end that goes names it.

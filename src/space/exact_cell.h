@@ -7,6 +7,7 @@
 #include <span>
 #include <vector>
 
+#include "space/hidden.h"
 #include "space/label.h"
 #include "space/vertex_blocks.h"
 
@@ -28,6 +29,8 @@ class ExactCell {
   /// second cut by the same site does nothing.
   bool cut(Label by);
   [[nodiscard]] bool empty() const { return label_.empty(); }
+  /// Of an empty cell: why.
+  [[nodiscard]] const NoCell& emptiedBy() const { return emptied_by_; }
   /// No point of the cell is farther from the site than the root of this: an upper bound, rounding included.
   [[nodiscard]] double squaredRadius() const;
   /// The vertices, as the labels of their three faces: counter-clockwise seen from outside.
@@ -41,12 +44,14 @@ class ExactCell {
   void findRemoved(Label by);
   void findRim();
   void replaceRemoved(Label by);
+  void noteEmpty(Label by);
 
   Places places_;
   Label site_ = 0;
   std::vector<std::array<Label, 3>> label_;
   std::vector<VertexSpot> spot_;  ///< by vertex
   std::optional<VertexBlocks> blocks_;
+  NoCell emptied_by_{};
   mutable double squared_radius_ = -1;  ///< negative: to be found
   std::vector<std::uint32_t> removed_, candidates_;
   std::vector<Edge> rim_;    ///< those that no other removed vertex has

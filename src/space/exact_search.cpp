@@ -94,6 +94,7 @@ double ExactSearch::takeAround(Label site, std::span<const Label> around, double
 /// Most cells are as large as the one before: candidates that are much farther away are not even collected.
 /// If some could cut after all, the cell is cut once more.
 const ExactCell& ExactSearch::cellOf(Label site, std::span<const Label> around, double squared_reach) {
+  if (bins_.hasWeights()) return weightedCellOf(site);
   constexpr double margin = 2;
   cell_.reset(site);
   double expected = margin * last_reach_;
@@ -117,10 +118,29 @@ const ExactCell& ExactSearch::cellOf(Label site, std::span<const Label> around, 
   return cell_;
 }
 
+/// As above, by the radius of the cell before.
+const ExactCell& ExactSearch::weightedCellOf(Label site) {
+  constexpr double margin = 2;
+  cell_.reset(site);
+  for (double expected = margin * last_reach_;; expected = std::numeric_limits<double>::infinity()) {
+    by_power_.begin(site, expected);
+    while (!cell_.empty()) {
+      const Label by = by_power_.next(std::min(cell_.squaredRadius(), expected));
+      if (by < 0) break;
+      cell_.cut(by);
+    }
+    if (cell_.empty()) break;
+    if (cell_.squaredRadius() > expected) continue;
+    last_reach_ = cell_.squaredRadius();
+    break;
+  }
+  return cell_;
+}
+
 const ExactRow& ExactSearch::rowOf(Label site) {
   if (memo_.find(site, row_)) return row_;
   row_.set(cellOf(site, memo_.around(), memo_.squaredReach()).vertices());
-  if (!cell_.empty()) memo_.keep(row_, squaredReach());
+  if (!cell_.empty()) memo_.keep(row_, cell_.squaredRadius());
   return row_;
 }
 

@@ -22,9 +22,10 @@ using AnyInteger =
 
 /// The kinds of integers that determinants are computed in. Coordinates are less than 2^bits, so that a 2x2
 /// minor is less than 2^(2 bits + 1), a 3x3 determinant than 2^(3 bits + 2.6), a lift than 2^(2 bits + 1.6),
-/// and a 4x4 determinant than 2^(5 bits + 6.2).
+/// and a 4x4 determinant than 2^(5 bits + 6.2). Differences of weights, which are added to lifts, are less
+/// than 2^weight_bits: then a lift is less than 2^(2 bits + 2.4), and that determinant than 2^(5 bits + 7).
 struct LongIntegers {
-  static constexpr int bits = 62;
+  static constexpr int bits = 62, weight_bits = 125;
   using Coordinate = std::int64_t;
   using Pair = Int128;
   using Triple = FixedInteger<3>;
@@ -59,6 +60,21 @@ struct ExactTuple {
         number[k] = {DoubleDouble::sum(to.x, -from.x), DoubleDouble::sum(to.y, -from.y),
                      DoubleDouble::sum(to.z, -from.z)};
       }
+    }
+  }
+};
+
+/// What labels are lighter by than a site, exactly; walls by nothing.
+template <std::size_t size>
+struct ExactWeights {
+  std::array<DoubleDouble, size> lighter{};
+  bool differ = false;
+
+  ExactWeights(const Places& places, Label site, const std::array<Label, size>& label) {
+    for (std::size_t k = 0; k < size && places.weights != nullptr; ++k) {
+      if (isWallLabel(label[k])) continue;
+      lighter[k] = DoubleDouble::sum(places.weights[site], -places.weights[label[k]]);
+      differ = differ || lighter[k].high != 0;
     }
   }
 };
@@ -149,6 +165,49 @@ class Units {
   bool fit_ = true;
 };
 
+/// Differences of weights as multiples of the square of 2^unit, if each fits.
+template <std::size_t size>
+class WeightUnits {
+ public:
+  WeightUnits(const ExactWeights<size>& weights, int unit) {
+    if (!weights.differ) return;
+    // Beyond, the unit's square is no double.
+    fit_ = std::abs(unit) < 400;
+    if (!fit_) return;
+    const double square = powerOfTwo(2 * unit), per_square = powerOfTwo(-2 * unit);
+    for (std::size_t k = 0; k < size; ++k) {
+      for (const double part : {weights.lighter[k].high, weights.lighter[k].low}) {
+        const double units = part * per_square;
+        fit_ = fit_ && std::abs(units) < 0x1p124;
+        if (!fit_) return;
+        const auto whole = static_cast<Int128>(units);
+        fit_ = static_cast<double>(whole) * square == part;
+        number_[k] += whole;
+      }
+    }
+    static_assert(LongIntegers::weight_bits == 125);
+  }
+
+  [[nodiscard]] bool fit() const { return fit_; }
+  [[nodiscard]] Int128 operator()(std::size_t k) const { return number_[k]; }
+
+ private:
+  bool fit_ = true;
+  std::array<Int128, size> number_{};
+};
+
+/// The same as withRows, with weights: lighter(k) in the square of the numbers' unit.
+template <class Integers, std::size_t size, class Numbers, class Lighter, class Use>
+int withWeightedRows(const std::array<Label, size>& label, const Numbers& number, const Lighter& lighter,
+                     const Use& use) {
+  std::array<WholeRow<Integers>, size> row;
+  for (std::size_t k = 0; k < size; ++k) {
+    row[k].set(label[k], number[k]);
+    row[k].lift += lighter(k);
+  }
+  return use(row);
+}
+
 template <class Integers, std::size_t size, class Numbers, class Use>
 int withRows(const std::array<Label, size>& label, const Numbers& number, const Use& use) {
   std::array<WholeRow<Integers>, size> row;
@@ -160,6 +219,7 @@ int withRows(const std::array<Label, size>& label, const Numbers& number, const 
 /// than 2.
 template <std::size_t size>
 struct FixedPlaces {
+  static constexpr int exponent = -60;
   std::array<std::array<std::int64_t, 3>, size> number;
 
   FixedPlaces(const Places& places, Label site, const std::array<Label, size>& label) {
@@ -214,15 +274,31 @@ int leastBit(const ExactTuple<size>& tuple) {
   return least;
 }
 
-template <std::size_t size, class Use>
-int withAnyIntegers(const ExactTuple<size>& tuple, int least, const Use& use) {
-  std::array<std::array<AnyInteger, 3>, size> number;
-  for (std::size_t k = 0; k < size; ++k) {
-    for (std::size_t c = 0; c < 3; ++c) {
-      number[k][c] = multipleOf(tuple.number[k][c].high, least) + multipleOf(tuple.number[k][c].low, least);
+/// Less than half of the exponent of a unit of all weights.
+template <std::size_t size>
+int leastBit(const ExactWeights<size>& weights) {
+  int least = 2000;
+  for (const auto& lighter : weights.lighter) {
+    for (const double part : {lighter.high, lighter.low}) {
+      if (part != 0) least = std::min(least, (std::ilogb(part) - 52) / 2 - 1);
     }
   }
-  return withRows<AnyIntegers>(tuple.label, number, use);
+  return least;
+}
+
+template <std::size_t size, class Use>
+int withAnyIntegers(const ExactTuple<size>& tuple, const ExactWeights<size>& weights, int least,
+                    const Use& use) {
+  const auto multiple = [](const DoubleDouble& of, int unit) {
+    return AnyInteger(multipleOf(of.high, unit) + multipleOf(of.low, unit));
+  };
+  std::array<std::array<AnyInteger, 3>, size> number;
+  for (std::size_t k = 0; k < size; ++k) {
+    for (std::size_t c = 0; c < 3; ++c) number[k][c] = multiple(tuple.number[k][c], least);
+  }
+  if (!weights.differ) return withRows<AnyIntegers>(tuple.label, number, use);
+  return withWeightedRows<AnyIntegers>(
+      tuple.label, number, [&](std::size_t k) { return multiple(weights.lighter[k], 2 * least); }, use);
 }
 
 /// Calls it with rows of the least integers that hold them.
@@ -230,15 +306,22 @@ template <std::size_t size, class Use>
 int withIntegers(const Places& places, Label site, const std::array<Label, size>& labels, const Use& use) {
   static_assert(LongIntegers::bits == 62);
   const FixedPlaces<size> fixed(places, site, labels);
-  if (fixed.fit()) return withRows<LongIntegers>(labels, fixed.number, use);
+  const ExactWeights<size> weights(places, site, labels);
+  if (fixed.fit() && !weights.differ) return withRows<LongIntegers>(labels, fixed.number, use);
+  if (fixed.fit()) {
+    const WeightUnits<size> lighter(weights, FixedPlaces<size>::exponent);
+    if (lighter.fit()) return withWeightedRows<LongIntegers>(labels, fixed.number, lighter, use);
+  }
   const ExactTuple<size> tuple(places, site, labels);
   Units units(tuple);
   std::array<std::array<std::int64_t, 3>, size> number{};
   for (std::size_t k = 0; k < size; ++k) {
     for (std::size_t c = 0; c < 3; ++c) number[k][c] = units.whole(tuple.number[k][c]);
   }
-  if (!units.fit()) return withAnyIntegers(tuple, leastBit(tuple), use);
-  return withRows<LongIntegers>(labels, number, use);
+  if (units.fit() && !weights.differ) return withRows<LongIntegers>(labels, number, use);
+  const WeightUnits<size> lighter(weights, units.exponent());
+  if (units.fit() && lighter.fit()) return withWeightedRows<LongIntegers>(labels, number, lighter, use);
+  return withAnyIntegers(tuple, weights, std::min(leastBit(tuple), leastBit(weights)), use);
 }
 
 /// 2^exponent a / b, rounded twice: to 64 bits or 65, and to a double.
@@ -284,10 +367,12 @@ Point3 placeOf(const std::array<WholeRow<Integers>, 3>& row, int exponent, const
 }  // namespace
 
 int exactOrientation(const Places& places, Label i, const std::array<Label, 3>& other) {
-  return withIntegers(places, i, other, []<class Integers>(const std::array<WholeRow<Integers>, 3>& row) {
-    const auto& [a, b, c] = row;
-    return signOf(determinant(a, minorOf(b, c), b, minorOf(a, c), c, minorOf(a, b)));
-  });
+  const Places without_weights{places.sites, places.box};
+  return withIntegers(without_weights, i, other,
+                      []<class Integers>(const std::array<WholeRow<Integers>, 3>& row) {
+                        const auto& [a, b, c] = row;
+                        return signOf(determinant(a, minorOf(b, c), b, minorOf(a, c), c, minorOf(a, b)));
+                      });
 }
 
 /// At the vertex p = (sum of lift_e (d_f x d_g)) / (2 det) of three labels the lift of the fourth less 2 p .
@@ -316,20 +401,23 @@ Point3 exactPlace(const Places& places, Label i, const std::array<Label, 3>& oth
   for (std::size_t k = 0; k < 3; ++k) {
     for (std::size_t c = 0; c < 3; ++c) number[k][c] = units.whole(tuple.number[k][c]);
   }
-  if (units.fit()) {
-    withRows<LongIntegers>(tuple.label, number, [&](const std::array<WholeRow<LongIntegers>, 3>& row) {
-      // Sums of three products are less than 2^252.2.
+  const ExactWeights<3> weights(places, i, other);
+  const WeightUnits<3> lighter(weights, units.exponent());
+  if (units.fit() && lighter.fit()) {
+    const auto of_long = [&](const std::array<WholeRow<LongIntegers>, 3>& row) {
+      // Sums of three products are less than 2^253.
       const auto times = [](Int128 a, Int128 b) {
         return product(FixedInteger<2>{{static_cast<std::uint64_t>(a), static_cast<std::uint64_t>(a >> 64)}},
                        b);
       };
       place = placeOf(row, units.exponent(), times);
       return 0;
-    });
+    };
+    withWeightedRows<LongIntegers>(tuple.label, number, lighter, of_long);
     return place;
   }
-  const int least = leastBit(tuple);
-  withAnyIntegers(tuple, least, [&](const std::array<WholeRow<AnyIntegers>, 3>& row) {
+  const int least = std::min(leastBit(tuple), leastBit(weights));
+  withAnyIntegers(tuple, weights, least, [&](const std::array<WholeRow<AnyIntegers>, 3>& row) {
     place = placeOf(row, least, [](const AnyInteger& a, const AnyInteger& b) { return AnyInteger(a * b); });
     return 0;
   });

@@ -18,10 +18,12 @@ constexpr int wallOf(Label label) { return -1 - label; }
 constexpr int axisOf(int wall) { return wall / 2; }
 constexpr bool isUpper(int wall) { return wall % 2 != 0; }
 
-/// The places that labels stand for: sites that are finite and all different, and a box.
+/// The places that labels stand for: sites that are finite and all different, and a box. A site's cell is
+/// where the squared distance from it less its weight is least.
 struct Places {
   const Point3* sites;
   Box3 box;
+  const double* weights = nullptr;  ///< by site; without, all are equal
 
   [[nodiscard]] double offset(int wall) const {
     const double of[walls] = {box.xmin, box.xmax, box.ymin, box.ymax, box.zmin, box.zmax};

@@ -16,12 +16,9 @@ Point3 crossed(const Point3& a, const Point3& b) {
 
 /// Whether a site is so far outside of the box that places relative to it are worse than those in the box.
 bool isFarOutside(const Places& places, Label site) {
-  const Point3& p = places.sites[site];
   const Box3& box = places.box;
-  const double out = std::max(
-      {box.xmin - p.x, p.x - box.xmax, box.ymin - p.y, p.y - box.ymax, box.zmin - p.z, p.z - box.zmax});
   const double side = std::min({box.xmax - box.xmin, box.ymax - box.ymin, box.zmax - box.zmin});
-  return out > 4 * side;
+  return distanceOutside(places, site) > 4 * side;
 }
 
 }  // namespace
@@ -93,7 +90,17 @@ void CarefulMeasures::measure(Label site, const Row& row) {
   for (const double area : areas_) surface += area;
   const double volume = six_volumes_ / 6;
   const double part = six_volumes_ > 0 ? 0.25 / six_volumes_ : 0;
-  const double x = first_[0] * part, y = first_[1] * part, z = first_[2] * part;
+  // Rounding may put the centroid of a cell without thickness anywhere; it is no further out than vertices.
+  double reach[3] = {};
+  for (const auto& p : place_) {
+    reach[0] = std::max(reach[0], std::abs(p.x));
+    reach[1] = std::max(reach[1], std::abs(p.y));
+    reach[2] = std::max(reach[2], std::abs(p.z));
+  }
+  const auto within = [&](std::size_t axis) {
+    return std::clamp(first_[axis] * part, -reach[axis], reach[axis]);
+  };
+  const double x = within(0), y = within(1), z = within(2);
   constexpr double from_sixfold = 1.0 / 120;
   const double products[6] = {x * x, y * y, z * z, y * z, x * z, x * y};
   for (std::size_t e = 0; e < 6; ++e) moments_[e] = moments_[e] * from_sixfold - volume * products[e];

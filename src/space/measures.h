@@ -25,6 +25,12 @@ class CarefulMeasures {
   void measure(Label site, const Row& row);
 
   [[nodiscard]] const CellMeasures& measures() const { return measures_; }
+  [[nodiscard]] std::size_t vertices() const { return place_.size(); }
+  /// Relative to the site.
+  [[nodiscard]] Point3 vertex(std::size_t v) const {
+    const Point3& p = place_[v];
+    return {p.x + origin_.x, p.y + origin_.y, p.z + origin_.z};
+  }
   /// By face.
   [[nodiscard]] const std::vector<double>& areas() const { return areas_; }
   /// About the centroid: xx, yy, zz, yz, xz, xy.

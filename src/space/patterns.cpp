@@ -109,8 +109,8 @@ void eachCell(const Counts& counts, const Take& take) {
 
 void fillLattice(std::span<const Point3> basis, std::uint64_t n, const Sides& sides, Sites3& sites) {
   const auto counts = latticeCounts(static_cast<double>(n) / static_cast<double>(basis.size()), sides);
-  const double nx = static_cast<double>(counts[0]), ny = static_cast<double>(counts[1]),
-               nz = static_cast<double>(counts[2]);
+  const auto nx = static_cast<double>(counts[0]), ny = static_cast<double>(counts[1]),
+             nz = static_cast<double>(counts[2]);
   eachCell(counts, [&](double x, double y, double z) {
     for (const Point3& at : basis) sites.push_back({(x + at.x) / nx, (y + at.y) / ny, (z + at.z) / nz});
   });
@@ -141,7 +141,7 @@ constexpr std::array<Point3, 8> of_a15 = {{{0.125, 0.125, 0.125},
 /// A whole number of sites fills the width; rows and layers are centered in the other two sides. In a box
 /// that is too thin for such a lattice, sites are as those of `cubic`.
 void fillHcp(std::uint64_t n, const Sides& sides, Sites3& sites) {
-  const double most = static_cast<double>(n);
+  const auto most = static_cast<double>(n);
   const double row_ratio = std::sqrt(3.0) / 2, layer_ratio = std::sqrt(6.0) / 3;
   // A site has the volume d^3 / sqrt(2).
   const double per_side = std::cbrt(most / std::sqrt(2.0));
@@ -180,15 +180,15 @@ void fillJitter(std::uint64_t n, const Sides& sides, RandomBits& random, Sites3&
     ++counts[widest];
   }
   const std::uint64_t cubes = counts[0] * counts[1] * counts[2];
-  const double nx = static_cast<double>(counts[0]), ny = static_cast<double>(counts[1]),
-               nz = static_cast<double>(counts[2]);
+  const auto nx = static_cast<double>(counts[0]), ny = static_cast<double>(counts[1]),
+             nz = static_cast<double>(counts[2]);
   // The i-th site has the cube i * cubes / n, by steps of whole numbers that stay below 2^64.
   const std::uint64_t whole = cubes / n, part = cubes % n;
   std::uint64_t cube = 0, over = 0;
   for (std::uint64_t i = 0; i < n; ++i) {
-    const auto x = static_cast<double>(cube % counts[0]);
-    const auto y = static_cast<double>(cube / counts[0] % counts[1]);
-    const auto z = static_cast<double>(cube / counts[0] / counts[1]);
+    const std::uint64_t row = cube / counts[0], layer = row / counts[1];
+    const auto x = static_cast<double>(cube % counts[0]), y = static_cast<double>(row % counts[1]),
+               z = static_cast<double>(layer);
     sites.push_back(drawnInCube([&] {
       const double dx = unitDraw(random), dy = unitDraw(random), dz = unitDraw(random);
       return Point3{(x + dx) / nx, (y + dy) / ny, (z + dz) / nz};

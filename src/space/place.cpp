@@ -28,12 +28,14 @@ PairRow pairRow(const Places& places, Label site, Label other) {
   const Point3& to = places.sites[other];
   const auto x = DoubleDouble::sum(to.x, -from.x), y = DoubleDouble::sum(to.y, -from.y),
              z = DoubleDouble::sum(to.z, -from.z);
-  return {x, y, z, x * x + y * y + z * z};
+  const DoubleDouble squared = x * x + y * y + z * z;
+  if (places.weights == nullptr) return {x, y, z, squared};
+  return {x, y, z, squared + DoubleDouble::sum(places.weights[site], -places.weights[other])};
 }
 
 /// The formula of PlaceInDouble. Differences are exact; a sum has an error of 3 u^2, a product one of 6 u^2,
-/// a quotient one of 16 u^2. As there, in all u^2 k (24 (|A| / m(a) + ...) + 50 |p|); |A| / m(a) <= 2 |p|. So
-/// up to k = 2^40 it is below 2^-58 |p|, and what remains is the last rounding.
+/// a quotient one of 16 u^2. As there, in all u^2 k (28 (|A| / m(a) + ...) + 50 |p|); without weights
+/// |A| / m(a) <= 2 |p|. So up to k = 2^40 it is below 2^-58 |p|, and what remains is the last rounding.
 FOR_FUSED_TOO Point3 placeByPairs(const Places& places, Label site, const std::array<Label, 3>& other) {
   const PairRow a = pairRow(places, site, other[0]), b = pairRow(places, site, other[1]),
                 c = pairRow(places, site, other[2]);
@@ -51,17 +53,31 @@ FOR_FUSED_TOO Point3 placeByPairs(const Places& places, Label site, const std::a
           component(minor(b.x, b.y, c.x, c.y), minor(c.x, c.y, a.x, a.y), ab_z)};
 }
 
+/// Whether placeByPairs() is right to 2^-53 of the distance, by its error bound: weights may make a lift of
+/// nearly 0 out of large numbers.
+bool doPairsSuffice(const PlaceInDouble& near, const Relative& a, const Relative& b, const Relative& c) {
+  if (!(near.condition < ill_conditioned)) return false;
+  const double terms =
+      28 * (a.lift_size / a.size() + b.lift_size / b.size() + c.lift_size / c.size()) + 50 * near.distance;
+  return 0x1p-106 * near.condition * terms <= 0x1p-54 * near.distance;
+}
+
 }  // namespace
 
 Point3 vertexPlace(const Places& places, Label i, Label j, Label k, Label l, double* error) {
-  const PlaceInDouble quick(relative(places, i, j), relative(places, i, k), relative(places, i, l));
-  if (quick.condition < well_conditioned) {
+  const Relative a = relative(places, i, j), b = relative(places, i, k), c = relative(places, i, l);
+  const PlaceInDouble quick(a, b, c);
+  // Weights may make a lift of nearly 0 out of large numbers.
+  constexpr double well_known = 1e-11;
+  const bool known = places.weights == nullptr || quick.error <= well_known * quick.distance;
+  if (quick.condition < well_conditioned && known) {
     *error = quick.error;
     return quick.place;
   }
   const std::array<Label, 3> other{j, k, l};
-  const Point3 p =
-      quick.condition < ill_conditioned ? placeByPairs(places, i, other) : exactPlace(places, i, other);
+  const bool by_pairs =
+      places.weights == nullptr ? quick.condition < ill_conditioned : doPairsSuffice(quick, a, b, c);
+  const Point3 p = by_pairs ? placeByPairs(places, i, other) : exactPlace(places, i, other);
   *error = 0x1p-51 * std::hypot(p.x, p.y, p.z);
   return p;
 }
@@ -72,6 +88,13 @@ Point3 canonicalPlace(const Places& places, const std::array<Label, 4>& labels) 
     if (isWallLabel(a) || isWallLabel(b)) return isWallLabel(a) ? isWallLabel(b) && a < b : true;
     return places.sites[a] < places.sites[b];
   });
+  if (places.weights != nullptr) {
+    // A site may be far from a box that its cell reaches into: places relative to it would be worse.
+    const auto nearest = std::ranges::min_element(sorted, {}, [&](Label label) {
+      return isWallLabel(label) ? HUGE_VAL : distanceOutside(places, label);
+    });
+    std::rotate(sorted.begin(), nearest, nearest + 1);
+  }
   double error = 0;
   const Point3 p = vertexPlace(places, sorted[0], sorted[1], sorted[2], sorted[3], &error);
   const Point3& site = places.sites[sorted[0]];

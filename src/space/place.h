@@ -15,6 +15,14 @@ namespace vorpipe::space {
 /// for that, else 1e-15 of it, whatever the condition.
 Point3 vertexPlace(const Places& places, Label i, Label j, Label k, Label l, double* error);
 
+/// How far a site is outside of the box along an axis; 0 inside.
+inline double distanceOutside(const Places& places, Label site) {
+  const Point3& p = places.sites[site];
+  const Box3& box = places.box;
+  return std::max(
+      {box.xmin - p.x, p.x - box.xmax, box.ymin - p.y, p.y - box.ymax, box.zmin - p.z, p.z - box.zmax, 0.0});
+}
+
 /// The place of the vertex of four labels, at least one of them a site, in the unit of the sites: the same
 /// bits in whichever order they are. Coordinates on a wall are the wall's.
 Point3 canonicalPlace(const Places& places, const std::array<Label, 4>& labels);
@@ -30,10 +38,10 @@ struct PlaceInDouble {
 };
 
 /// p = (A (b x c) + B (c x a) + C (a x b)) / (2 det), A, B, C being the lifts. Let u = 2^-53. Of the
-/// numerator each term has 12 factors (1 + e), |e| <= u: 4 of the minor, 5 of the lift, a product, 2 sums; so
-/// that all three components together are off by 12 u (|A| m(b) m(c) + ...); det by 8 u m(a) m(b) m(c); and a
-/// quotient is rounded once. This makes u k (6 (|A| / m(a) + ...) + 9 |p|), and less than 8 and 10 for 6 and
-/// 9 if k < 1e7. Products must not underflow: m from 2^-150 to 2^150.
+/// numerator each term has 13 factors (1 + e), |e| <= u: 4 of the minor, 6 of the lift, a product, 2 sums; so
+/// that all three components together are off by 13 u (|A| m(b) m(c) + ...), |A| being the lift's size; det
+/// by 8 u m(a) m(b) m(c); and a quotient is rounded once. This makes u k (6.5 (|A| / m(a) + ...) + 9 |p|),
+/// and less than 8 and 10 for 6.5 and 9 if k < 1e7. Products must not underflow: m from 2^-150 to 2^150.
 inline PlaceInDouble::PlaceInDouble(const Relative& a, const Relative& b, const Relative& c) {
   constexpr double u = 0x1p-53, well = 1e7, least = 0x1p-150, most = 0x1p150;
   const auto cross = [](const Relative& p, const Relative& q) {
@@ -48,7 +56,7 @@ inline PlaceInDouble::PlaceInDouble(const Relative& a, const Relative& b, const 
   const double ma = a.size(), mb = b.size(), mc = c.size(), per_det = std::abs(half + half);
   const bool in_range = std::min({ma, mb, mc}) > least && std::max({ma, mb, mc}) < most;
   condition = in_range ? ma * mb * mc * per_det : HUGE_VAL;
-  const double terms = std::abs(a.lift) * mb * mc + std::abs(b.lift) * mc * ma + std::abs(c.lift) * ma * mb;
+  const double terms = a.lift_size * mb * mc + b.lift_size * mc * ma + c.lift_size * ma * mb;
   error = condition < well ? u * (8 * terms * per_det + 10 * condition * distance) : HUGE_VAL;
 }
 

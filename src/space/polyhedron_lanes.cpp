@@ -12,16 +12,19 @@ namespace {
 struct Nearest {
   // A vector of candidates may be written behind the last.
   REAL squared[SLOTS + LANES], x[SLOTS + LANES], y[SLOTS + LANES], z[SLOTS + LANES];
+  REAL lighter[SLOTS + LANES];  ///< with weights
   std::int32_t site[SLOTS + LANES], key[SLOTS];
   std::uint8_t order[SLOTS];
   int count;
 
-  /// Sorts by distance. Keys are distances whose last bits are indices, so that no two are equal; the rank of
-  /// each is the number of keys that are less.
-  void sort() {
+  /// Sorts by distance, with weights by power, to which is added what makes all positive. Keys are distances
+  /// whose last bits are indices, so that no two are equal; the rank of each is the number of keys that are
+  /// less.
+  template <bool weighted>
+  void sort(REAL add) {
     constexpr int index_bits = SLOTS - 1;
     for (int k = 0; k < SLOTS; ++k) {
-      const auto rounded = static_cast<float>(squared[k]);
+      const auto rounded = static_cast<float>(weighted ? squared[k] + (lighter[k] + add) : squared[k]);
       std::int32_t bits;
       __builtin_memcpy(&bits, &rounded, sizeof bits);
       key[k] = k < count ? (bits & ~index_bits) | k : 0x7FFFFFFF;
@@ -37,12 +40,13 @@ struct Nearest {
 
 /// A vector of candidates, seen from the site.
 struct Seen {
-  lane_real x, y, z, squared;
+  lane_real x, y, z, squared, lighter;
 };
 
 /// Rounding of what is compared with the radius: coordinates of a bin in float, differences and squares.
 constexpr REAL safety = 1.00001F;
 
+template <bool weighted>
 class Walk {
  public:
   explicit Walk(const LaneBins& bins) : bins_(bins) {}
@@ -50,6 +54,7 @@ class Walk {
   void find(std::uint32_t site, const int (&bin)[3], ProposedCell& proposed) {
     begin(site, bin);
     std::size_t step = cutNearest();
+    if constexpr (weighted) cutHeavy();
     proposed.state = Proposed::uncertain;
     for (; step < bins_.step_count && !cell_.empty && !cell_.overflow; ++step) {
       if (steps_[step].squared_distance * side_squared_ >= reach_) {
@@ -58,7 +63,10 @@ class Walk {
       }
       cutBin(steps_[step]);
     }
-    if (cell_.empty) proposed.state = Proposed::empty;
+    if (cell_.empty) {
+      proposed.state = Proposed::empty;
+      writeEmpty(proposed);
+    }
     if (proposed.state == Proposed::whole) write(proposed);
   }
 
@@ -71,8 +79,11 @@ class Walk {
     for (int axis = 2; axis >= 0; --axis) {
       bin_[axis] = bin[axis];
       place_[axis] = place[axis];
-      const int along = static_cast<int>(place[axis] / bins_.side * parts_of_bin);
-      part = part * parts_of_bin + static_cast<std::size_t>(min(parts_of_bin - 1, max(0, along)));
+      // Bins of sites very far away are larger than float has numbers: then the part is none.
+      const float along = place[axis] / bins_.side * parts_of_bin;
+      const bool is_first = !(along > 0);
+      part = part * parts_of_bin +
+             (is_first ? 0 : static_cast<std::size_t>(along < parts_of_bin ? along : parts_of_bin - 1));
       const float from_domain = static_cast<float>(bin[axis]) * bins_.side + bins_.corner[axis];
       low[axis] = -place[axis] - from_domain;
       high[axis] = bins_.extent[axis] - from_domain - place[axis];
@@ -88,12 +99,37 @@ class Walk {
     for (int axis = 0; axis < 3; ++axis)
       inside_ = min(inside_, min(bin[axis], bins_.count[axis] - 1 - bin[axis]));
     side_squared_ = bins_.side * bins_.side;
+    if constexpr (weighted) weight_ = static_cast<REAL>(bins_.weights[site] - bins_.least_weight);
     beginPolyhedron(cell_, low[0], low[1], low[2], high[0], high[1], high[2]);
     measure();
   }
 
-  /// Sites farther than twice the radius do not cut.
-  void measure() { reach_ = 4 * safety * squaredRadius(cell_); }
+  /// Sites farther than twice the radius R do not cut. With weights one that is lighter than the own site by
+  /// e does not if it is farther than R + root(R^2 - e).
+  void measure() {
+    if constexpr (weighted) {
+      radius_squared_ = safety * squaredRadius(cell_);
+      radius_ = static_cast<REAL>(__builtin_sqrt(radius_squared_));
+      reach_ = reachOf(weight_ - bins_.heaviest_around[begin_ - bins_.begin]);
+    } else {
+      reach_ = 4 * safety * squaredRadius(cell_);
+    }
+  }
+
+  /// Squared; less than 0 if no such site cuts, wherever it is.
+  [[nodiscard]] REAL reachOf(REAL lighter) const {
+    const REAL left = radius_squared_ - lighter;
+    if (!(left >= 0)) return -1;
+    const REAL reach = radius_ + static_cast<REAL>(__builtin_sqrt(left));
+    return reach * reach;
+  }
+
+  /// Those of a vector that may cut: d^2 + e < 2 R d.
+  [[nodiscard]] std::uint64_t nearOf(const Seen& seen) const {
+    if constexpr (!weighted) return less(seen.squared, lane_real{} + reach_);
+    const lane_real power = seen.squared + seen.lighter;
+    return less(power * GREATER(power, NO_REAL), seen.squared * (4 * radius_squared_));
+  }
 
   /// Returns whether there are sites in such a bin; them, and where it lies from the site.
   bool bin(const BinStep& step, std::uint32_t& from, std::uint32_t& to, float (&offset)[3]) const {
@@ -130,17 +166,24 @@ class Walk {
         store(nearest_.y + k, seen.y);
         store(nearest_.z + k, seen.z);
         store(nearest_.squared + k, seen.squared);
+        if constexpr (weighted) store(nearest_.lighter + k, seen.lighter);
         store(nearest_.site + k, each_lane + static_cast<std::int32_t>(j));
       }
       nearest_.count += static_cast<int>(to - from);
     }
-    nearest_.sort();
+    nearest_.template sort<weighted>(weighted ? bins_.most_weight - weight_ : 0);
     int cuts = 0;
     for (int r = 0; r < nearest_.count && !cell_.empty && !cell_.overflow; ++r) {
       const int k = nearest_.order[r];
-      if (nearest_.squared[k] >= reach_) break;
       if (nearest_.site[k] == static_cast<std::int32_t>(site_)) continue;
-      if (cut(nearest_.x[k], nearest_.y[k], nearest_.z[k], nearest_.squared[k], nearest_.site[k])) {
+      REAL lift = nearest_.squared[k];
+      if constexpr (weighted) {
+        lift += nearest_.lighter[k];
+        if (lift > 0 && lift * lift >= 4 * radius_squared_ * nearest_.squared[k]) continue;
+      } else if (lift >= reach_) {
+        break;
+      }
+      if (cut(nearest_.x[k], nearest_.y[k], nearest_.z[k], lift, nearest_.site[k])) {
         if (++cuts % 8 == 0) measure();
       }
     }
@@ -159,43 +202,96 @@ class Walk {
       dy[lane] = to[3 * lane + 1] - from[1];
       dz[lane] = to[3 * lane + 2] - from[2];
     }
-    return {dx, dy, dz, dx * dx + dy * dy + dz * dz};
+    return {dx, dy, dz, dx * dx + dy * dy + dz * dz, lighterOf(j, end)};
   }
 #else
-  [[nodiscard]] Seen see(std::uint32_t j, std::uint32_t, const float (&offset)[3]) const {
+  [[nodiscard]] Seen see(std::uint32_t j, std::uint32_t end, const float (&offset)[3]) const {
     const lane_real dx = load(bins_.x + j) + offset[0], dy = load(bins_.y + j) + offset[1],
                     dz = load(bins_.z + j) + offset[2];
-    return {dx, dy, dz, dx * dx + dy * dy + dz * dz};
+    return {dx, dy, dz, dx * dx + dy * dy + dz * dz, lighterOf(j, end)};
   }
 #endif
+
+  /// How much lighter than the own site the sites from j on are.
+  [[nodiscard]] lane_real lighterOf([[maybe_unused]] std::uint32_t j,
+                                    [[maybe_unused]] std::uint32_t end) const {
+    if constexpr (!weighted) return NO_REAL;
+#ifdef VORPIPE_DOUBLES
+    lane_real lighter{};
+    for (int lane = 0; lane < min(LANES, static_cast<int>(end - j)); ++lane) {
+      const std::uint32_t site = j + static_cast<std::uint32_t>(lane);
+      const bool heavy = bins_.weight[site] < 0;
+      lighter[lane] = heavy ? __builtin_inf() : bins_.weights[site_] - bins_.weights[site];
+    }
+    return lighter;
+#else
+    return weight_ - load(bins_.weight + j);
+#endif
+  }
+
+  /// Cuts with the sites that no bin names, whose weights take the digits of double.
+  void cutHeavy() {
+    const double* const from = bins_.places + 3 * std::size_t{site_};
+    for (std::size_t k = 0; k < bins_.heavy_count && !cell_.empty && !cell_.overflow; ++k) {
+      const std::uint32_t site = bins_.heavy[k];
+      if (site == site_) continue;
+      const double* const to = bins_.places + 3 * std::size_t{site};
+      const double dx = to[0] - from[0], dy = to[1] - from[1], dz = to[2] - from[2];
+      const double squared = dx * dx + dy * dy + dz * dz;
+      const double lift = squared + (bins_.weights[site_] - bins_.weights[site]);
+      if (lift > 0 && lift * lift >= 4 * static_cast<double>(radius_squared_) * squared) continue;
+      if (cut(static_cast<REAL>(dx), static_cast<REAL>(dy), static_cast<REAL>(dz), static_cast<REAL>(lift),
+              static_cast<std::int32_t>(site)) &&
+          !cell_.empty && !cell_.overflow)
+        measure();
+    }
+  }
 
   void cutBin(const BinStep& step) {
     std::uint32_t from, to;
     float offset[3];
     if (!bin(step, from, to, offset)) return;
+    if constexpr (weighted) {
+      const float heaviest = bins_.heaviest[begin_ + step.ahead - bins_.begin];
+      if (step.squared_distance * side_squared_ >= reachOf(weight_ - heaviest)) return;
+    }
     bool any = false;
     for (std::uint32_t j = from; j < to; j += LANES) {
       const Seen seen = see(j, to, offset);
-      std::uint64_t near = less(seen.squared, lane_real{} + reach_);
+      std::uint64_t near = nearOf(seen);
       if (to - j < LANES) near &= SLOT(to - j) - SLOT(0);
       for (; near != 0; near &= near - 1) {
         const int lane = LOWEST(near);
         const std::uint32_t site = j + static_cast<std::uint32_t>(lane);
         if (site == site_) continue;
-        any = cut(seen.x[lane], seen.y[lane], seen.z[lane], seen.squared[lane],
-                  static_cast<std::int32_t>(site)) ||
-              any;
+        REAL lift = seen.squared[lane];
+        if constexpr (weighted) lift += seen.lighter[lane];
+        any = cut(seen.x[lane], seen.y[lane], seen.z[lane], lift, static_cast<std::int32_t>(site)) || any;
         if (cell_.empty || cell_.overflow) return;
       }
     }
     if (any) measure();
   }
 
-  bool cut(REAL dx, REAL dy, REAL dz, REAL squared, std::int32_t name) {
-    const std::uint64_t removed = verticesBeyond(cell_, dx, dy, dz, 0.5F * squared);
+  bool cut(REAL dx, REAL dy, REAL dz, REAL lift, std::int32_t name) {
+    const std::uint64_t removed = verticesBeyond(cell_, dx, dy, dz, 0.5F * lift);
     if (removed == 0) return false;
     cutOff(cell_, removed, name);
+    if (cell_.empty) emptied_by_ = name;
     return true;
+  }
+
+  /// The last cut, which left nothing, and the vertex that is nearest to it.
+  void writeEmpty(ProposedCell& proposed) const {
+    int nearest = LOWEST(cell_.live);
+    for (std::uint64_t left = cell_.live; left != 0; left &= left - 1) {
+      const int v = LOWEST(left);
+      if (cell_.beyond[v] < cell_.beyond[nearest]) nearest = v;
+    }
+    proposed.emptied_by[0] = cell_.name[cell_.first[nearest]];
+    proposed.emptied_by[1] = cell_.name[cell_.second[nearest]];
+    proposed.emptied_by[2] = cell_.name[cell_.third[nearest]];
+    proposed.emptied_by[3] = emptied_by_;
   }
 
   void write(ProposedCell& proposed) const {
@@ -227,16 +323,16 @@ class Walk {
   int inside_ = 0;                        ///< how many bins around are there in all directions
   float place_[3] = {};
   REAL side_squared_ = 0, reach_ = 0;
+  REAL weight_ = 0, radius_squared_ = 0, radius_ = 0;  ///< with weights
+  std::int32_t emptied_by_ = 0;
   Polyhedron cell_;
   Nearest nearest_;
 };
 
-}  // namespace
-
-// NOLINTNEXTLINE(misc-use-internal-linkage): declared by lane_width.cpp
-void VORPIPE_LANES_FUNCTION(const LaneBins& bins, std::uint32_t bin, std::uint32_t first, std::uint32_t last,
-                            void (*take)(void*, std::uint32_t, const ProposedCell&), void* context) {
-  Walk walk(bins);
+template <bool weighted>
+void proposeAll(const LaneBins& bins, std::uint32_t bin, std::uint32_t first, std::uint32_t last,
+                void (*take)(void*, std::uint32_t, const ProposedCell&), void* context) {
+  Walk<weighted> walk(bins);
   ProposedCell proposed;
   const auto nx = static_cast<std::uint32_t>(bins.count[0]), ny = static_cast<std::uint32_t>(bins.count[1]);
   for (std::uint32_t site = first; site < last; ++site) {
@@ -246,6 +342,14 @@ void VORPIPE_LANES_FUNCTION(const LaneBins& bins, std::uint32_t bin, std::uint32
               proposed);
     take(context, site, proposed);
   }
+}
+
+}  // namespace
+
+// NOLINTNEXTLINE(misc-use-internal-linkage): declared by lane_width.cpp
+void VORPIPE_LANES_FUNCTION(const LaneBins& bins, std::uint32_t bin, std::uint32_t first, std::uint32_t last,
+                            void (*take)(void*, std::uint32_t, const ProposedCell&), void* context) {
+  (bins.weight == nullptr ? proposeAll<false> : proposeAll<true>)(bins, bin, first, last, take, context);
 }
 
 }  // namespace vorpipe::space

@@ -30,6 +30,16 @@ struct LaneBins {
   float extent[3];             ///< of the domain
   const BinStep* steps;        ///< for each part, x first: step_count of them
   std::size_t step_count;
+
+  // With weights, else null:
+  double least_weight;    ///< of all
+  const float* weight;    ///< by site: less the least; of heavy ones -infinity, so that bins do not name them
+  const double* weights;  ///< by site
+  const float* heaviest;  ///< by bin: the largest of those that are not heavy
+  const float* heaviest_around;  ///< by bin: the largest of the bins that steps lead to
+  float most_weight;             ///< of those that are not heavy
+  const std::uint32_t* heavy;    ///< sites that every cell is cut with, after those in bins
+  std::size_t heavy_count;
 };
 
 enum class Proposed : std::uint8_t { whole, empty, uncertain };
@@ -40,6 +50,7 @@ struct ProposedCell {
   int faces, vertices;
   std::int32_t neighbor[64];   ///< by face
   std::uint8_t corner[64][4];  ///< by vertex: its faces, counter-clockwise seen from outside
+  std::int32_t emptied_by[4];  ///< of an empty cell: why, as NoCell has it
 };
 
 /// Calls take(context, site, cell) for the sites from `first` to `last` - 1, the first of which is in `bin`.

@@ -22,6 +22,7 @@ struct Sum {
 Sum operator+(const Sum& a, const Sum& b) { return {a.value + b.value, a.size + b.size}; }
 Sum operator-(const Sum& a, const Sum& b) { return {a.value - b.value, a.size + b.size}; }
 Sum operator*(double a, const Sum& b) { return {a * b.value, std::abs(a) * b.size}; }
+Sum liftTimes(const Relative& a, const Sum& b) { return {a.lift * b.value, a.lift_size * b.size}; }
 
 Sum minorOf(const Relative& a, const Relative& b) {
   const double left = a.x * b.y, right = a.y * b.x;
@@ -31,18 +32,18 @@ Sum minorOf(const Relative& a, const Relative& b) {
 // Rounding. Let u = 2^-53. Coordinates of a relative place are rounded once each, so that the value of
 // - a 2x2 minor has in each of its terms 4 factors (1 + e), |e| <= u: 2 coordinates, product, difference;
 // - a 3x3 determinant has 8: its minor's 4, coordinate, product, 2 sums;
-// - a lift has 5, which is no less than those of a wall's (relative.h);
-// - the 4x4 determinant has 16: determinant's 8, lift's 5, product, 2 sums.
+// - a lift has 5, with weights 6, which is no less than those of a wall's (relative.h);
+// - the 4x4 determinant has 17: determinant's 8, lift's 6, product, 2 sums.
 // So its error is at most ((1 + u)^n - 1) times the sum of the terms' magnitudes, of which the computed one
 // is at least (1 - u)^n: n u (1 + 2 n u) in all, and the last product with that factor is less than u off.
 constexpr double orientation_rounding = 1e-15;  // 9.007 u, n = 8
-constexpr double side_rounding = 2e-15;         // 18.01 u, n = 16
+constexpr double side_rounding = 2e-15;         // 18.01 u, n = 17
 
 // Underflow. A product that is less than 2^-1022 is moreover off by at most h = 2^-1075. Let no coordinate be
 // larger than C. A minor is off by 2 h, each term of a 3x3 determinant by 2 C h + h, so that by (6 C + 3) h.
 constexpr double orientation_underflow = 0x1p-1070;  // times 1 + C: 32 h
-// A lift is off by 3 h; let Q be the sum of all four. C^2 <= Q if C > 1, because it belongs to a site. In
-// each of four terms: (6 C + 3) h Q + 6 C^3 3 h + h <= 28 (1 + Q)^2 h.
+// A lift is off by 3 h; let Q be the sum of all four lifts' sizes. C^2 <= Q if C > 1, because it belongs to a
+// site. In each of four terms: (6 C + 3) h Q + 6 C^3 3 h + h <= 28 (1 + Q)^2 h.
 constexpr double side_underflow = 0x1p-1066;  // times (1 + Q)^2: 512 h
 
 /// The sign of a sum whose error is at most that; 0 if unknown. Sums that overflow are unknown, too.
@@ -104,13 +105,13 @@ bool cuts(const Places& places, Label i, Label j, Label k, Label l, Label m) {
   const Sum bc = minorOf(b, c), bd = minorOf(b, d), cd = minorOf(c, d);
   const Sum abc = (a.z * bc - b.z * ac) + c.z * ab, abd = (a.z * bd - b.z * ad) + d.z * ab;
   const Sum acd = (a.z * cd - c.z * ad) + d.z * ac, bcd = (b.z * cd - c.z * bd) + d.z * bc;
-  const Sum side = (d.lift * abc - c.lift * abd) + (b.lift * acd - a.lift * bcd);
-  const double far = 1 + (std::abs(a.lift) + std::abs(b.lift)) + (std::abs(c.lift) + std::abs(d.lift));
+  const Sum side = (liftTimes(d, abc) - liftTimes(c, abd)) + (liftTimes(b, acd) - liftTimes(a, bcd));
+  const double far = 1 + (a.lift_size + b.lift_size) + (c.lift_size + d.lift_size);
   const int turn = signIfProved(abc, orientation_rounding * abc.size + orientation_underflow * far);
   const int sign = signIfProved(side, side_rounding * side.size + side_underflow * far * far);
   if (turn != 0 && sign != 0) return turn != sign;
   ++exact_signs;
-  if (side.value == 0 && turn != 0 && areFewUnits(places, i, other, seen)) {
+  if (side.value == 0 && turn != 0 && places.weights == nullptr && areFewUnits(places, i, other, seen)) {
     return brokenTie(places, i, other, std::array{-bcd.value, acd.value, -abd.value, abc.value}) != turn;
   }
   return exactSide(places, i, other) != 1;

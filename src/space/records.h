@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <span>
 
+#include "space/empty_balls.h"
 #include "space/label.h"
 #include "space/measures.h"
 #include "space/rows.h"
@@ -22,6 +23,20 @@ class Records {
           std::span<const Point3> callers_sites, Detail3 detail, int threads, Diagram3& diagram);
 
   [[nodiscard]] bool wantMoments() const { return moments_; }
+  /// Whether a cell is wanted: it need not be measured else.
+  [[nodiscard]] bool wants(std::size_t site) const { return input_[site] < wanted_; }
+  void want(std::size_t first) { wanted_ = first; }
+  /// Has `beyond`, by the caller's index, written of each cell: see EmptyBalls, in units of the caller.
+  void watchBalls(const EmptyBalls& balls, std::span<double> beyond) {
+    balls_ = balls;
+    beyond_ = beyond;
+  }
+  template <class Vertex>
+  void writeBalls(std::size_t site, std::size_t count, const Vertex& vertex) {
+    if (beyond_.empty()) return;
+    const double weight = places_.weights == nullptr ? 0 : places_.weights[site];
+    beyond_[input_[site]] = unit_ * balls_.beyond(places_.sites[site], weight, count, vertex);
+  }
   /// Makes room for the areas of all faces of the rows.
   void layOut(const Rows& rows, int threads);
   /// Whether there is room for so many faces of a site, no more and no less.
@@ -52,6 +67,9 @@ class Records {
   std::span<const std::uint32_t> input_;
   bool moments_;
   Diagram3& out_;
+  EmptyBalls balls_{};
+  std::span<double> beyond_;
+  std::size_t wanted_;  ///< cells of the first of the caller's sites
 };
 
 }  // namespace vorpipe::space

@@ -95,10 +95,8 @@ class Rows {
   [[nodiscard]] std::size_t size() const { return at_.size(); }
   [[nodiscard]] Row operator[](std::size_t site) const;
   void prefetch(std::size_t site) const {
-    __builtin_prefetch(at_[site].neighbors);
-    __builtin_prefetch(at_[site].neighbors + 64);
-    __builtin_prefetch(at_[site].rings);
-    __builtin_prefetch(at_[site].rings + 64);
+    prefetchLines(at_[site].neighbors);
+    prefetchLines(at_[site].rings);
   }
   /// The face of a neighbor, or row.faces if it is none: the same as row.faceOf(), also quick for many faces.
   [[nodiscard]] std::size_t faceOf(const Row& row, Label label) const;
@@ -127,6 +125,12 @@ class Rows {
   struct At {
     std::byte *neighbors = nullptr, *rings = nullptr;
   };
+  /// The first two lines of the cache from an address on, which may be null.
+  static void prefetchLines(const std::byte* first) {
+    constexpr std::uintptr_t line = 64;
+    __builtin_prefetch(first);
+    __builtin_prefetch(reinterpret_cast<const void*>(reinterpret_cast<std::uintptr_t>(first) + line));
+  }
   template <bool from_least, class Vertex>
   bool setSmall(std::size_t site, std::span<const Label> neighbors, const Vertex* vertices,
                 std::size_t vertex_count, RowArena& arena);

@@ -84,8 +84,8 @@ class EdgeSearch {
     const bool is_wall_a = isWallLabel(a), is_wall_b = isWallLabel(b);
     double least =
         is_wall_a || is_wall_b ? squared_side_ : squaredDistance(places_.sites[a], places_.sites[b]);
-    if (!is_wall_a) least = std::min(least, corners_.face(face_a).lift);
-    if (!is_wall_b) least = std::min(least, corners_.face(face_b).lift);
+    if (!is_wall_a) least = std::min(least, corners_.face(face_a).squared());
+    if (!is_wall_b) least = std::min(least, corners_.face(face_b).squared());
     return least;
   }
 

@@ -12,6 +12,8 @@ namespace vorpipe::space {
 namespace {
 
 constexpr double sites_per_bin = 3;
+/// How many bins lanes step away along an axis.
+constexpr int steps_reach = 5;
 constexpr std::size_t grain = 1 << 14;
 /// Lanes load a whole vector from any site on.
 constexpr std::size_t room_behind = 16;
@@ -36,13 +38,15 @@ Box3 boxAround(std::span<const Point3> sites) {
 void layBins(SiteBins& bins, const Box3& around, std::size_t sites) {
   const double extent[3] = {around.xmax - around.xmin, around.ymax - around.ymin, around.zmax - around.zmin};
   const double wanted = std::max(1.0, static_cast<double>(sites) / sites_per_bin);
-  bool thin[3] = {};
+  // Of the domain's longest side, which is 1 to 2: the product of three such extents is still a number.
+  constexpr double thinnest = 0x1p-300;
+  bool thin[3] = {extent[0] < thinnest, extent[1] < thinnest, extent[2] < thinnest};
   double side = 1;
   for (int tries = 0; tries < 3; ++tries) {
     double content = 1;
     int axes = 0;
     for (int a = 0; a < 3; ++a) {
-      if (thin[a] || !(extent[a] > 0)) continue;
+      if (thin[a]) continue;
       content *= extent[a];
       ++axes;
     }
@@ -57,7 +61,7 @@ void layBins(SiteBins& bins, const Box3& around, std::size_t sites) {
 
 /// The bins around a part of a bin, by ascending distance, then by that of their centers.
 std::vector<BinStep> stepsAround(const std::array<int, 3>& part) {
-  constexpr int reach = 5;
+  constexpr int reach = steps_reach;
   struct Step {
     std::array<int, 3> by;
     double least = 0, of_centers = 0;
@@ -83,6 +87,7 @@ std::vector<BinStep> stepsAround(const std::array<int, 3>& part) {
     return a.least != b.least ? a.least < b.least : a.of_centers < b.of_centers;
   });
   std::vector<BinStep> steps;
+  steps.reserve(all.size());
   for (const Step& step : all) {
     steps.push_back({static_cast<std::int8_t>(step.by[0]), static_cast<std::int8_t>(step.by[1]),
                      static_cast<std::int8_t>(step.by[2]),
@@ -97,7 +102,7 @@ std::vector<BinStep> stepsAround(const std::array<int, 3>& part) {
 /// bins.
 std::vector<BinStep> orderOfSteps(const int (&count)[3]) {
   constexpr int half = parts_of_bin / 2;
-  std::array<std::vector<BinStep>, half * half * half> lower;
+  std::array<std::vector<BinStep>, std::size_t{half} * half * half> lower;
   for (int k = 0; k < half * half * half; ++k) {
     lower[static_cast<std::size_t>(k)] = stepsAround({k % half, k / half % half, k / half / half});
   }
@@ -121,8 +126,10 @@ std::vector<BinStep> orderOfSteps(const int (&count)[3]) {
   return steps;
 }
 
+/// Places may be farther from the bins than an int has sides.
 int binAlong(const SiteBins& bins, int axis, double from_corner) {
-  return std::clamp(static_cast<int>(from_corner / bins.side), 0, bins.count[axis] - 1);
+  return static_cast<int>(
+      std::clamp(from_corner / bins.side, 0.0, static_cast<double>(bins.count[axis] - 1)));
 }
 
 /// Sorts sites into bins: `order` has their indices, by bin, ascending in each.
@@ -140,10 +147,10 @@ std::vector<std::uint32_t> sortByBin(SiteBins& bins, std::span<const Point3> sit
   return order;
 }
 
-/// Leaves the first of equal positions in each bin, and names it the owner of the others. Returns the number
-/// that leave.
-std::size_t leaveDuplicates(SiteBins& bins, std::span<const Point3> sites, std::vector<std::uint32_t>& order,
-                            int threads) {
+/// Leaves the heaviest and then the first of equal positions in each bin, and names it the owner of the
+/// others. Returns the number that leave.
+std::size_t leaveDuplicates(SiteBins& bins, std::span<const Point3> sites, std::span<const double> weights,
+                            std::vector<std::uint32_t>& order, int threads) {
   constexpr std::size_t few = 12;
   std::atomic<std::size_t> leave{0};
   parallelFor(bins.bins(), 1 << 12, threads, [&](std::size_t begin, std::size_t end) {
@@ -151,7 +158,7 @@ std::size_t leaveDuplicates(SiteBins& bins, std::span<const Point3> sites, std::
     std::vector<std::uint32_t> sorted;
     for (std::size_t bin = begin; bin < end; ++bin) {
       const std::span in(order.data() + bins.begin[bin], bins.begin[bin + 1] - bins.begin[bin]);
-      if (in.size() <= few) {
+      if (in.size() <= few && weights.empty()) {
         for (std::size_t k = 1; k < in.size(); ++k) {
           for (std::size_t e = 0; e < k; ++e) {
             if (sites[in[e]] != sites[in[k]]) continue;
@@ -164,7 +171,8 @@ std::size_t leaveDuplicates(SiteBins& bins, std::span<const Point3> sites, std::
       }
       sorted.assign(in.begin(), in.end());
       std::ranges::sort(sorted, [&](std::uint32_t a, std::uint32_t b) {
-        return sites[a] != sites[b] ? sites[a] < sites[b] : a < b;
+        if (sites[a] != sites[b]) return sites[a] < sites[b];
+        return !weights.empty() && weights[a] != weights[b] ? weights[a] > weights[b] : a < b;
       });
       for (std::size_t k = 1; k < sorted.size(); ++k) {
         if (sites[sorted[k]] != sites[sorted[k - 1]]) continue;
@@ -186,6 +194,40 @@ std::size_t leaveDuplicates(SiteBins& bins, std::span<const Point3> sites, std::
   bins.begin.back() = static_cast<std::uint32_t>(kept);
   order.resize(kept);
   return leave;
+}
+
+/// The weights of the sites that are left, in their order; unless all are equal.
+void giveWeights(SiteBins& bins, std::span<const double> callers, int threads) {
+  if (callers.empty()) return;
+  constexpr double least = 0x1p-600;
+  const int exponent = 2 * std::ilogb(bins.scale);
+  const std::size_t count = bins.input.size();
+  BigVector<double> weights(count);
+  parallelEach(count, grain, threads, [&](std::size_t k) {
+    const double weight = std::ldexp(callers[bins.input[k]], exponent);
+    weights[k] = std::abs(weight) < least ? 0 : weight;
+  });
+  const auto [low, high] = std::ranges::minmax_element(weights);
+  if (*low == *high) return;
+  bins.least_weight = *low;
+  bins.weights = std::move(weights);
+  bins.heaviest = HeaviestOfBlocks(bins.count, bins.begin, bins.weights);
+  bins.heavy = heavySites(bins.weights, bins.side);
+  bins.weight.resize(count + room_behind);
+  std::fill_n(bins.weight.end() - static_cast<std::ptrdiff_t>(room_behind), room_behind, 0.0F);
+  parallelEach(count, grain, threads, [&](std::size_t k) {
+    bins.weight[k] = static_cast<float>(bins.weights[k] - bins.least_weight);
+  });
+  // All others are lighter than the heavy ones.
+  for (const std::uint32_t heavy : bins.heavy) bins.weight[heavy] = -HUGE_VALF;
+  bins.heaviest_of_bin.assign(bins.bins(), -HUGE_VALF);
+  for (std::size_t bin = 0; bin < bins.bins(); ++bin) {
+    float& most = bins.heaviest_of_bin[bin];
+    for (std::uint32_t k = bins.begin[bin]; k < bins.begin[bin + 1]; ++k)
+      most = std::max(most, bins.weight[k]);
+    bins.most_weight = std::max(bins.most_weight, most);
+  }
+  bins.heaviest_around = largestAround(bins.count, bins.heaviest_of_bin, steps_reach);
 }
 
 }  // namespace
@@ -233,11 +275,21 @@ LaneBins SiteBins::lanes() const {
   bins.extent[1] = static_cast<float>(box.ymax - box.ymin);
   bins.extent[2] = static_cast<float>(box.zmax - box.zmin);
   bins.steps = steps.data();
-  bins.step_count = steps.size() / (parts_of_bin * parts_of_bin * parts_of_bin);
+  bins.step_count = steps.size() / (std::size_t{parts_of_bin} * parts_of_bin * parts_of_bin);
+  if (!hasWeights()) return bins;
+  bins.least_weight = least_weight;
+  bins.weight = weight.data();
+  bins.weights = weights.data();
+  bins.heaviest = heaviest_of_bin.data();
+  bins.heaviest_around = heaviest_around.data();
+  bins.most_weight = most_weight;
+  bins.heavy = heavy.data();
+  bins.heavy_count = heavy.size();
   return bins;
 }
 
-SiteBins binSites(std::span<const Point3> callers, const Box3& domain, int threads) {
+SiteBins binSites(std::span<const Point3> callers, const Box3& domain, int threads,
+                  std::span<const double> weights) {
   SiteBins bins;
   bins.scale = scaleOf(domain);
   bins.box = {domain.xmin * bins.scale, domain.ymin * bins.scale, domain.zmin * bins.scale,
@@ -250,7 +302,7 @@ SiteBins binSites(std::span<const Point3> callers, const Box3& domain, int threa
   bins.owner.resize(sites.size());
   std::iota(bins.owner.begin(), bins.owner.end(), 0U);
   bins.input = sortByBin(bins, sites, threads);
-  leaveDuplicates(bins, sites, bins.input, threads);
+  leaveDuplicates(bins, sites, weights, bins.input, threads);
   const std::size_t count = bins.input.size();
   bins.sites.resize(count);
   for (auto* const axis : {&bins.x, &bins.y, &bins.z}) {
@@ -266,6 +318,7 @@ SiteBins binSites(std::span<const Point3> callers, const Box3& domain, int threa
     bins.z[k] = static_cast<float>(p.z - bins.corner.z - z * bins.side);
   });
   bins.steps = orderOfSteps(bins.count);
+  giveWeights(bins, weights, threads);
   return bins;
 }
 

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "base/big_vector.h"
+#include "space/heaviest.h"
 #include "space/label.h"
 #include "space/polyhedron_lanes.h"
 #include "vorpipe/result.h"
@@ -24,7 +25,8 @@ struct SiteBins {
   Box3 box{};               ///< of the run
   BigVector<Point3> sites;  ///< bin by bin
   std::vector<std::uint32_t> input;  ///< by site of the run: its index among those of the caller
-  std::vector<std::uint32_t> owner;  ///< by site of the caller: the first with the same position
+  std::vector<std::uint32_t>
+      owner;  ///< by site of the caller: the heaviest with the same position, the first
 
   int count[3] = {1, 1, 1};          ///< of bins along each axis
   double side = 1;                   ///< of a bin
@@ -33,7 +35,17 @@ struct SiteBins {
   BigVector<float> x, y, z;          ///< by site: relative to the corner of its bin
   std::vector<BinStep> steps;        ///< see LaneBins
 
-  [[nodiscard]] Places places() const { return {sites.data(), box}; }
+  // With weights that differ, else empty:
+  BigVector<double> weights;         ///< by site: those of the caller times the square of the scale
+  HeaviestOfBlocks heaviest;         ///< of the bins
+  std::vector<std::uint32_t> heavy;  ///< see LaneBins, as all that follows
+  BigVector<float> weight;
+  std::vector<float> heaviest_of_bin, heaviest_around;
+  float most_weight = 0;
+  double least_weight = 0;
+
+  [[nodiscard]] bool hasWeights() const { return !weights.empty(); }
+  [[nodiscard]] Places places() const { return {sites.data(), box, hasWeights() ? weights.data() : nullptr}; }
   [[nodiscard]] LaneBins lanes() const;
   /// The bin of a site, along each axis.
   [[nodiscard]] std::array<int, 3> binOf(const Point3& site) const;
@@ -48,7 +60,9 @@ struct SiteBins {
   [[nodiscard]] std::uint32_t bins() const { return static_cast<std::uint32_t>(begin.size() - 1); }
 };
 
-/// Bins at least one site. They are finite, and `domain` is a valid box.
-SiteBins binSites(std::span<const Point3> sites, const Box3& domain, int threads);
+/// Bins at least one site. They are finite, and `domain` is a valid box; weights are as many, or none.
+/// Weights of less than 2^-600 squared domains count as 0.
+SiteBins binSites(std::span<const Point3> callers, const Box3& domain, int threads,
+                  std::span<const double> weights = {});
 
 }  // namespace vorpipe::space

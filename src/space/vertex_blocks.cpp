@@ -15,13 +15,14 @@ double along(const VertexSpot& spot, int axis) { return axis == 0 ? spot.x : axi
 
 /// Let u = 2^-53, e the error of the place p and h half the lift. d is rounded (u of p . d), there are three
 /// products and two sums (3 u), and the difference (u); h is off by 5 u, the difference by u: at most |d| (e
-/// + 8 u |p|) + 8 u h in all, of which the first factor is a vertex' slack. Products that underflow: 2^-1070.
+/// + 8 u |p|) + 8 u h in all, of which the first factor is a vertex' slack. With weights h stands for half
+/// the lift's size there, and is off by 6 u of it. Products that underflow: 2^-1070.
 HalfSpace::HalfSpace(const Relative& of)
     : d_(of),
       half_(0.5 * of.lift),
       squared_((of.x * of.x + of.y * of.y) + of.z * of.z),
       size_((1 + 0x1p-50) * of.size()),
-      fixed_(0x1p-50 * std::abs(half_) + 0x1p-1070) {}
+      fixed_(0x1p-50 * (0.5 * of.lift_size) + 0x1p-1070) {}
 
 VertexBlocks::VertexBlocks(std::span<const VertexSpot> spots)
     : block_of_(spots.size()), first_size_(spots.size()) {

@@ -63,6 +63,10 @@ struct Workload {
   int threads = 0;
 };
 
+/// Number of images that a run over so many sites in space looks at, as many as white noise needs; 0 without
+/// a period.
+std::uint64_t imagesInSpace(std::uint64_t sites, const Cells3Options& options);
+
 /// Returns the workload of a run of Session::cells over these sites, on a device and with some CPU threads
 /// (0: all). Errors: those of sitesAndImages().
 Result<Workload> workloadOf(const Sites& sites, const CellsOptions& options, ImagesFor purpose,

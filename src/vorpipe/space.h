@@ -1,9 +1,10 @@
-/// Cells in space: Voronoi diagrams of sites with three coordinates, in a box.
+/// Cells in space: Voronoi and power diagrams of sites with three coordinates, in a box.
 #pragma once
 
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -19,6 +20,11 @@ namespace vorpipe {
 /// An axis-parallel box; valid when finite and xmin < xmax, ymin < ymax, zmin < zmax.
 struct Box3 {
   double xmin, ymin, zmin, xmax, ymax, zmax;
+};
+
+/// Three vectors by which sites in space repeat; of no plane.
+struct Lattice {
+  Point3 a, b, c;
 };
 
 /// Sites in the caller's order.
@@ -39,21 +45,33 @@ struct Cells3Options {
   Box3 domain;  ///< what cells are clipped to
   Detail3 detail = Detail3::polyhedra;
   Progress progress;  ///< may be empty
+  /// Of each site, or empty: the cell of site i is where |x - p_i|^2 - w_i is least. As Sites::weight in the
+  /// plane; a radius is the weight of its square.
+  std::span<const double> weights{};
+  /// The axes along which the domain repeats: x, y, z. There are no walls across them, and sites outside are
+  /// images of sites inside.
+  std::array<bool, 3> periodic{};
+  /// Or sites repeat by these vectors: then there is no domain.
+  std::optional<Lattice> lattice{};
+
+  [[nodiscard]] bool repeats() const { return lattice || periodic[0] || periodic[1] || periodic[2]; }
 };
 
 /// Refuses input that every run over these sites would refuse: a domain that is no box, whose volume is not
 /// between 1e-301 and 1e301, or one side of which is less than 1e-12 of another; no sites, or too many; a
-/// coordinate that is not finite or too large for the domain. Errors (input).
+/// coordinate or a weight that is not finite or too large for the domain; weights that are not as many as the
+/// sites. Errors (input).
 Result<void> checkInput(std::span<const Point3> sites, const Cells3Options& options, int threads = 0);
 
 /// Cells as data, in input order and in the caller's units: one record for each site, whatever its status.
 /// Cell i has the faces face_offsets[i] .. face_offsets[i + 1] - 1, in ascending order of their neighbors;
 /// each is a ring of vertices, counter-clockwise seen from outside. Both cells of a face have the same
-/// vertices in it.
+/// vertices in it; of sites that repeat, each of its own where the sites lie in different periods.
 ///
 /// An edge is a tie if it is not longer than 1e-6 of the least distance between two of the sites around it
 /// (from a wall: of the domain's shortest side). The ends of a tie are one vertex. A face that is left with
-/// fewer than three vertices is no face of either cell. So a cubic lattice has cells of 6 faces.
+/// fewer than three vertices is no face of either cell. So a cubic lattice has cells of 6 faces. A cell that
+/// is left without faces is `empty`.
 struct Diagram3 {
   std::vector<Status> status;
   std::vector<std::uint32_t> owner;  ///< the site that owns the cell: itself unless a duplicate
@@ -63,6 +81,9 @@ struct Diagram3 {
   std::vector<std::uint64_t> face_offsets;            ///< size: sites + 1
   std::vector<std::int64_t> neighbors;                ///< by face: index of a site, or a wall; see isWall()
   std::vector<double> face_areas;
+  /// By face, of sites that repeat: the neighbor is the image of its site moved by that many sides of the
+  /// domain, or vectors of the lattice. Faces of one neighbor are ordered by them.
+  std::vector<std::array<std::int32_t, 3>> neighbor_shifts;
   std::vector<std::uint64_t> face_vertex_offsets;  ///< by face: where its ring begins; size: faces + 1
   std::vector<std::uint32_t> face_vertices;        ///< indices of vertices
   std::vector<Point3> vertices;                    ///< each once, whatever the number of its cells

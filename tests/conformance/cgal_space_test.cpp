@@ -1,7 +1,8 @@
-/// Cells in space against Delaunay triangulations by CGAL, with exact predicates.
+/// Cells in space against Delaunay and regular triangulations by CGAL, with exact predicates.
 #include <CGAL/Delaunay_triangulation_3.h>
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Regular_triangulation_3.h>
 #include <CGAL/Triangulation_cell_base_with_info_3.h>
 #include <CGAL/Triangulation_vertex_base_with_info_3.h>
 #include <gtest/gtest.h>
@@ -33,6 +34,13 @@ using Triangulation = CGAL::Delaunay_triangulation_3<
                 CGAL::Triangulation_vertex_base_with_info_3<std::int64_t, Kernel>,
                 CGAL::Triangulation_cell_base_with_info_3<Center, Kernel,
                                                           CGAL::Delaunay_triangulation_cell_base_3<Kernel>>>>;
+/// Of weighted points; those that others hide are no vertices of it.
+using Regular = CGAL::Regular_triangulation_3<
+    Kernel, CGAL::Triangulation_data_structure_3<
+                CGAL::Triangulation_vertex_base_with_info_3<
+                    std::int64_t, Kernel, CGAL::Regular_triangulation_vertex_base_3<Kernel>>,
+                CGAL::Triangulation_cell_base_with_info_3<Center, Kernel,
+                                                          CGAL::Regular_triangulation_cell_base_3<Kernel>>>>;
 using Labels = std::vector<std::int64_t>;
 
 constexpr Box3 cube{0, 0, 0, 1, 1, 1};
@@ -73,7 +81,28 @@ Triangulation triangulated(const Sites3& sites) {
   return triangulation;
 }
 
-Labels labelsOf(Triangulation::Cell_handle cell) {
+Regular triangulated(const Sites3& sites, const std::vector<double>& weights) {
+  std::vector<std::pair<Kernel::Weighted_point_3, std::int64_t>> points;
+  for (std::size_t i = 0; i < sites.size(); ++i) {
+    points.emplace_back(
+        Kernel::Weighted_point_3(Kernel::Point_3(sites[i].x, sites[i].y, sites[i].z), weights[i]),
+        static_cast<std::int64_t>(i));
+  }
+  Regular triangulation(points.begin(), points.end());
+  for (const auto cell : triangulation.finite_cell_handles()) {
+    const auto exactly = [cell](int k) {
+      const auto& p = cell->vertex(k)->point();
+      return Exact::Weighted_point_3(Exact::Point_3(p.x(), p.y(), p.z()), p.weight());
+    };
+    const auto c = CGAL::weighted_circumcenter(exactly(0), exactly(1), exactly(2), exactly(3));
+    cell->info() = {{CGAL::to_double(c.x()), CGAL::to_double(c.y()), CGAL::to_double(c.z())},
+                    c.x() >= 0 && c.x() <= 1 && c.y() >= 0 && c.y() <= 1 && c.z() >= 0 && c.z() <= 1};
+  }
+  return triangulation;
+}
+
+template <class Cell>
+Labels labelsOf(Cell cell) {
   Labels labels;
   for (int k = 0; k < 4; ++k) labels.push_back(cell->vertex(k)->info());
   std::ranges::sort(labels);
@@ -119,7 +148,8 @@ double areaOf(const std::vector<Point3>& ring) {
 }
 
 /// The areas of what two sites have in common, where all of it is inside the cube; else -1.
-std::map<Pair, double> areasOf(const Triangulation& triangulation) {
+template <class Mesh>
+std::map<Pair, double> areasOf(const Mesh& triangulation) {
   std::map<Pair, double> areas;
   for (const auto& edge : triangulation.finite_edges()) {
     std::vector<Point3> ring;
@@ -138,7 +168,8 @@ std::map<Pair, double> areasOf(const Triangulation& triangulation) {
 
 /// Every tetrahedron whose center is in the cube is a vertex of the cells, or part of one where ties are
 /// joined; and every vertex of four sites is one of the tetrahedra.
-void expectTetrahedra(const Triangulation& triangulation, const Diagram3& diagram) {
+template <class Mesh>
+void expectTetrahedra(const Mesh& triangulation, const Diagram3& diagram) {
   const Vertices vertices = verticesOf(diagram);
   std::set<Labels> unseen = vertices.tetrahedra;
   std::size_t inside = 0;
@@ -154,16 +185,17 @@ void expectTetrahedra(const Triangulation& triangulation, const Diagram3& diagra
         });
     EXPECT_TRUE(is_part) << labels[0] << ' ' << labels[1] << ' ' << labels[2] << ' ' << labels[3];
   }
-  EXPECT_GT(inside, diagram.size() / 2);
+  EXPECT_GT(inside, diagram.report.ok / 2);
   EXPECT_EQ(unseen, std::set<Labels>());
 }
 
 /// Faces have the areas that CGAL's tetrahedra say; one that has no more than ties leave may be missing.
-void expectFaces(const Triangulation& triangulation, const Diagram3& diagram, bool of_sphere) {
+template <class Mesh>
+void expectFaces(const Mesh& triangulation, const Diagram3& diagram, bool of_sphere, double ties = 2e-6) {
   auto areas = areasOf(triangulation);
   std::size_t inside = 0;
   for (std::size_t i = 0; i < diagram.size(); ++i) {
-    const double slack = 2e-6 * diagram.surface[i];
+    const double slack = ties * diagram.surface[i];
     for (auto f = diagram.face_offsets[i]; f < diagram.face_offsets[i + 1]; ++f) {
       const auto site = static_cast<std::int64_t>(i), neighbor = diagram.neighbors[f];
       if (isWall(neighbor) || neighbor < site) continue;
@@ -179,10 +211,10 @@ void expectFaces(const Triangulation& triangulation, const Diagram3& diagram, bo
   }
   // All cells of a sphere's sites reach from its center to walls.
   if (!of_sphere) {
-    EXPECT_GT(inside, diagram.size());
+    EXPECT_GT(inside, diagram.report.ok);
   }
   for (const auto& [pair, area] : areas) {
-    EXPECT_LE(area, 2e-6 * diagram.surface[static_cast<std::size_t>(pair.first)])
+    EXPECT_LE(area, ties * diagram.surface[static_cast<std::size_t>(pair.first)])
         << pair.first << " and " << pair.second << " are no neighbors";
   }
 }
@@ -212,6 +244,56 @@ INSTANTIATE_TEST_SUITE_P(
                     Scene{"diamond_1e_4", Pattern3::diamond, 1000, 1e-4},
                     Scene{"a15_1e_3", Pattern3::a15, 1000, 1e-3}),
     [](const auto& instance) { return instance.param.name; });
+
+/// The same with weights of up to so many squares of the sites' mean distance: in so many steps, or any.
+struct Weighed {
+  Scene scene;
+  double most;
+  int steps = 0;
+};
+
+class AgainstCgalWithWeights : public testing::TestWithParam<Weighed> {};
+
+TEST_P(AgainstCgalWithWeights, CellsInSpaceAgree) {
+  const auto& [scene, most, steps] = GetParam();
+  const Sites3 sites = sitesOf(scene);
+  SCOPED_TRACE(testing::Message() << sites.size() << " sites, seed " << seed);
+  const double square = std::pow(static_cast<double>(sites.size()), -2.0 / 3);
+  std::mt19937_64 random(seed + 1);
+  std::vector<double> weights;
+  for (std::size_t i = 0; i < sites.size(); ++i) {
+    const double u = static_cast<double>(random() >> 11) * 0x1p-53;
+    weights.push_back(most * square * (steps > 0 ? std::floor(u * (steps + 1)) / steps : u));
+  }
+  auto session = cpuSession();
+  const auto diagram = session.cells(std::span<const Point3>(sites), {cube, Detail3::polyhedra, {}, weights});
+  ASSERT_TRUE(diagram) << diagram.error().message;
+  const Regular triangulation = triangulated(sites, weights);
+  expectTetrahedra(triangulation, *diagram);
+  // Ties are measured by the distances of sites, which may be larger than cells.
+  expectFaces(triangulation, *diagram, false, 2e-5);
+  std::vector<bool> is_vertex(sites.size());
+  for (const auto vertex : triangulation.finite_vertex_handles())
+    is_vertex[static_cast<std::size_t>(vertex->info())] = true;
+  for (std::size_t i = 0; i < sites.size(); ++i) {
+    if (!is_vertex[i]) {
+      EXPECT_NE(diagram->status[i], Status::ok) << i;
+    }
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(, AgainstCgalWithWeights,
+                         testing::Values(Weighed{{"random", Pattern3::random, 2000, 0}, 0.5},
+                                         Weighed{{"heavy", Pattern3::random, 2000, 0}, 4},
+                                         Weighed{{"clusters", Pattern3::clusters, 2000, 0}, 0.2},
+                                         Weighed{{"two_kinds", Pattern3::random, 2000, 0}, 2, 1},
+                                         Weighed{{"cubic", Pattern3::cubic, 1000, 0}, 0.5, 2},
+                                         Weighed{{"fcc", Pattern3::fcc, 1372, 0}, 0.25, 3},
+                                         Weighed{{"bcc_1e_9", Pattern3::bcc, 1024, 1e-9}, 0.25, 2},
+                                         Weighed{{"hcp_1e_6", Pattern3::hcp, 1000, 1e-6}, 0.2, 1},
+                                         Weighed{{"fcc_1e_5", Pattern3::fcc, 1372, 1e-5}, 0.1, 1},
+                                         Weighed{{"diamond_1e_4", Pattern3::diamond, 1000, 1e-4}, 0.1}),
+                         [](const auto& instance) { return instance.param.scene.name; });
 
 }  // namespace
 }  // namespace vorpipe::test

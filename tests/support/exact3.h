@@ -55,10 +55,11 @@ Vector3<T> operator-(const Vector3<T>& a, const Vector3<T>& b) {
   return {a[0] - b[0], a[1] - b[1], a[2] - b[2]};
 }
 
-/// The sites and the box, as integers of one quantum.
+/// The sites and the box, as integers of one quantum, and weights of its square.
 class ExactSpace {
  public:
-  ExactSpace(std::span<const Point3> sites, const Box3& box) : rank_(sites.size()) {
+  ExactSpace(std::span<const Point3> sites, const Box3& box, std::span<const double> weights = {})
+      : rank_(sites.size()) {
     int least = std::numeric_limits<int>::max();
     const auto see = [&](double value) {
       int exponent = 0;
@@ -72,7 +73,12 @@ class ExactSpace {
       for (const double value : {p.x, p.y, p.z}) see(value);
     }
     for (const double side : sides) see(side);
+    for (const double weight : weights) {
+      int exponent = 0;
+      if (std::frexp(weight, &exponent) != 0) least = std::min(least, (exponent - 53) / 2 - 1);
+    }
     quantum_ = least;
+    for (const double weight : weights) weight_.push_back(integer(weight, 2 * quantum_));
     for (const auto& p : sites) at_.push_back({integer(p.x), integer(p.y), integer(p.z)});
     for (int w = 0; w < space::walls; ++w) offset_[static_cast<std::size_t>(w)] = integer(sides[w]);
     std::vector<std::size_t> order(sites.size());
@@ -92,10 +98,12 @@ class ExactSpace {
     return normal;
   }
 
-  /// Twice its plane's offset: p . way = reach / 2 on the face of j.
+  /// Twice its plane's offset: p . way = reach / 2 on the face of j. Of a site its squared distance, and what
+  /// it is lighter by.
   [[nodiscard]] Integer reach(Label i, Label j) const {
     const auto d = way(i, j);
-    if (!isWallLabel(j)) return dot(d, d);
+    if (!isWallLabel(j) && weight_.empty()) return dot(d, d);
+    if (!isWallLabel(j)) return dot(d, d) + weight_[index(i)] - weight_[index(j)];
     const int wall = space::wallOf(j);
     const auto axis = static_cast<std::size_t>(space::axisOf(wall));
     const Integer far = offset_[static_cast<std::size_t>(wall)] - at_[index(i)][axis];
@@ -180,7 +188,8 @@ class ExactSpace {
 
   /// The square of the distance of two sites.
   [[nodiscard]] Wide squaredDistance(Label i, Label j) const {
-    return ldexp(Wide(reach(i, j)), 2 * quantum_);
+    const auto d = way(i, j);
+    return ldexp(Wide(dot(d, d)), 2 * quantum_);
   }
 
   /// The sites that are cospherical, or on a wall, with a vertex: all labels m with power 0.
@@ -196,11 +205,12 @@ class ExactSpace {
  private:
   static std::size_t index(Label site) { return static_cast<std::size_t>(site); }
 
-  [[nodiscard]] Integer integer(double value) const {
+  [[nodiscard]] Integer integer(double value) const { return integer(value, quantum_); }
+  static Integer integer(double value, int quantum) {
     int exponent = 0;
     const double mantissa = std::frexp(value, &exponent);
     Integer result = static_cast<std::int64_t>(std::ldexp(mantissa, 53));
-    if (value != 0) result <<= exponent - 53 - quantum_;
+    if (value != 0) result <<= exponent - 53 - quantum;
     return result;
   }
 
@@ -239,6 +249,7 @@ class ExactSpace {
 
   std::vector<Vector3<Integer>> at_;
   std::array<Integer, 6> offset_;
+  std::vector<Integer> weight_;  ///< by site, or empty
   std::vector<int> rank_;
   int quantum_ = 0;
 };

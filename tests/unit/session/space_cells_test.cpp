@@ -262,6 +262,79 @@ TEST(SpaceCells, OfHardSites) {
   cellsOf(far, {1e6, -1e6, 3e6, 1e6 + 1, -1e6 + 1, 3e6 + 1});
 }
 
+// Two vertices that are one lie as far from each other as sites of a flat box are apart, not as it is thin.
+TEST(SpaceCells, OfAFlatBoxMayBeJoinedAcrossIt) {
+  constexpr double height = 0x1p-18, above = 1e-7;
+  const double aside = (height / 2 - above) * (height / 2) / 0.25;
+  const Diagram3 diagram = cellsOf({{0.3, 0.5, height / 4},
+                                    {0.7, 0.3, height / 4},
+                                    {0.7, 0.7, height / 4},
+                                    {0.3 + aside, 0.5, 3 * height / 4}},
+                                   {0, 0, 0, 1, 1, height});
+  // The vertex of the four is one with that of three and the wall.
+  bool joined = false;
+  for (std::size_t v = 0; v < diagram.vertices.size(); ++v)
+    joined = joined || diagram.vertex_site_offsets[v + 1] - diagram.vertex_site_offsets[v] == 5;
+  EXPECT_TRUE(joined);
+}
+
+TEST(SpaceCells, BesideASiteOutsideTheDomain) {
+  const Diagram3 diagram = cellsOf({{-1e-185, 0.5, 0.5}, {0, 0.5, 0.5}});
+  EXPECT_EQ(diagram.status, (std::vector{Status::empty, Status::ok}));
+}
+
+// The fifth power of its side is no double: second moments are infinite, those by symmetry 0 where nothing is
+// rounded.
+TEST(SpaceCells, OfALargeDomain) {
+  constexpr double side = 0x1p252;
+  const Diagram3 diagram =
+      cellsOf({{0.625 * side, 0.1875 * side, 0.0625 * side}, {0.625 * side, 0.625 * side, 0.625 * side}},
+              {0, 0, 0, side, side, side});
+  EXPECT_TRUE(std::isinf(diagram.second_moments[0][0]));
+}
+
+TEST(SpaceCells, BetweenAWallAndASiteBesideIt) {
+  const Sites3 sites{{0, 0.5, 0.5}, {8e-12, 0.5, 0.5}, {0.3, 0.1, 0.2}, {0.3, 0.9, 0.6}};
+  for (const Detail3 detail : {Detail3::measures, Detail3::polyhedra}) {
+    const Diagram3 diagram = cellsOf(sites, unit_cube, 1, detail);
+    EXPECT_EQ(faces(diagram, 0), 2U);
+    EXPECT_EQ(diagram.flat, 1U);
+  }
+}
+
+// The squares of distances to them differ by less than a double's last bit.
+TEST(SpaceCells, OfSitesAHairApart) {
+  const Diagram3 diagram = cellsOf({{0.5, 0.5, 0.5}, {0.5, 0.5, 0.5 - 0x1p-52}});
+  EXPECT_EQ(diagram.volume, (std::vector{0.5, 0.5}));
+}
+
+// Doubles do not tell which of the sites is nearest.
+TEST(SpaceCells, OfADomainFarFromItsSites) {
+  const double x = 0x1p51, y = 1.5 * 0x1p52;
+  const Diagram3 diagram =
+      cellsOf({{0.25, 0.5, 0.5}, {0.25, 0.75, 0.5}, {0.25, 0.75 + 0x1p-30, 0.5}}, {x, y, 0, x + 1, y + 1, 1});
+  EXPECT_EQ(diagram.status, (std::vector{Status::empty, Status::empty, Status::ok}));
+}
+
+std::string refusalOf(const Sites3& sites, const Box3& domain) {
+  auto session = Session::open({});
+  EXPECT_TRUE(session.has_value());
+  const auto diagram = session->cells(std::span<const Point3>(sites), {domain, Detail3::polyhedra, {}});
+  EXPECT_FALSE(diagram.has_value());
+  return diagram ? "" : diagram.error().message;
+}
+
+TEST(SpaceCells, RefuseSitesThatAreTooNear) {
+  const std::string end =
+      " are not equal, but nearer to each other than 8e-25 of the domain's longest side: make them equal, or "
+      "move one";
+  EXPECT_EQ(refusalOf({{0.5, 0.5, 0.5}, {0, 1e-27, 0}, {0, 0, 0}}, unit_cube),
+            "sites 1 and 2: 0, 1e-27, 0 and 0, 0, 0" + end);
+  // In units of this domain both are 0.
+  EXPECT_EQ(refusalOf({{1e99, 1, 1}, {1e-310, 0, 0}, {2e-310, 0, 0}}, {0, 0, 0, 1e100, 1e100, 1e100}),
+            "sites 1 and 2: 1e-310, 0, 0 and 2e-310, 0, 0" + end);
+}
+
 // Meijering 1953: mean numbers of a Poisson-Voronoi diagram. Cells near walls are left out.
 TEST(SpaceCells, OfWhiteNoiseHaveTheMeansOfTheory) {
   const Sites3 sites = generate(Pattern3::random, 40000, 9);

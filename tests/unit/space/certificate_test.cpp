@@ -16,7 +16,9 @@
 #include "space/cell_check.h"
 #include "space/certify.h"
 #include "space/exact_search.h"
+#include "space/hidden.h"
 #include "space/predicates.h"
+#include "support/exact3.h"
 
 namespace vorpipe::space {
 namespace {
@@ -48,7 +50,9 @@ void add(Complex& complex, const Quadruple& labels, int sign = 1) {
 /// Sites and everything that certifies them.
 struct Case {
   SiteBins bins;
-  explicit Case(const Sites3& sites, const Box3& box = {0, 0, 0, 1, 1, 1}) : bins(binSites(sites, box, 1)) {}
+  explicit Case(const Sites3& sites, const Box3& box = {0, 0, 0, 1, 1, 1},
+                const std::vector<double>& weights = {})
+      : bins(binSites(sites, box, 1, weights)) {}
   [[nodiscard]] std::size_t size() const { return bins.sites.size(); }
   /// In the order of labels, in the units of the input.
   [[nodiscard]] Sites3 unscaled() const {
@@ -56,6 +60,12 @@ struct Case {
     for (const Point3& p : bins.sites)
       sites.push_back({p.x / bins.scale, p.y / bins.scale, p.z / bins.scale});
     return sites;
+  }
+  /// The same; none if all are equal.
+  [[nodiscard]] std::vector<double> unscaledWeights() const {
+    std::vector<double> weights;
+    for (const double weight : bins.weights) weights.push_back(weight / bins.scale / bins.scale);
+    return weights;
   }
   /// The labels that the sites of another case have here.
   [[nodiscard]] std::map<Label, Label> namesOf(const Case& other) const {
@@ -68,15 +78,16 @@ struct Case {
   }
 };
 
-/// The true complex, by exact cells, and the sites without a cell.
-Complex truth(const Case& of, std::vector<std::uint8_t>& exact) {
+/// The true complex, by exact cells, and the sites that are proved to have no cell.
+Complex truth(const Case& of, std::vector<std::uint8_t>& hidden) {
   Complex complex;
-  exact.assign(of.size(), 0);
+  hidden.assign(of.size(), 0);
   ExactSearch search(of.bins);
   for (std::size_t i = 0; i < of.size(); ++i) {
     const auto site = static_cast<Label>(i);
     const ExactCell& cell = search.cellOf(site);
-    exact[i] = cell.empty() ? 1 : 0;
+    hidden[i] = cell.empty() && leaveNothing(of.bins.places(), site, cell.emptiedBy()) ? 1 : 0;
+    EXPECT_EQ(hidden[i] != 0, cell.empty());
     for (const auto& v : cell.vertices()) add(complex, {site, v[0], v[1], v[2]});
   }
   return complex;
@@ -122,7 +133,7 @@ struct Proposal {
 };
 
 /// The conditions that rows break: "C1" to "C5", ascending.
-std::set<std::string> broken(const Case& of, const Rows& rows, const std::vector<std::uint8_t>& exact) {
+std::set<std::string> broken(const Case& of, const Rows& rows, const std::vector<std::uint8_t>& hidden) {
   std::set<std::string> conditions;
   const Places places = of.bins.places();
   CellCheck check(places, rows);
@@ -145,13 +156,14 @@ std::set<std::string> broken(const Case& of, const Rows& rows, const std::vector
     }
   }
   if (cellsOfCorner(rows) != 1) conditions.insert("C4");
-  if (forgetsSite(places, rows, exact)) conditions.insert("C5");
+  if (forgetsSite(rows, hidden)) conditions.insert("C5");
   return conditions;
 }
-std::set<std::string> broken(const Case& of, const Complex& complex, const std::vector<std::uint8_t>& exact) {
+std::set<std::string> broken(const Case& of, const Complex& complex,
+                             const std::vector<std::uint8_t>& hidden) {
   const Proposal proposal(complex, of.size());
   if (!proposal.whole) return {"C1"};
-  return broken(of, proposal.rows, exact);
+  return broken(of, proposal.rows, hidden);
 }
 
 using Conditions = std::set<std::string>;
@@ -241,20 +253,26 @@ class Lies : public testing::TestWithParam<std::uint64_t> {
   void SetUp() override {
     std::mt19937_64 random(GetParam());
     const Sites3 sites = GetParam() % 4 == 3 ? lattice() : randomSites(random, 8 + random() % 20);
-    of_.emplace(sites);
-    complex_ = truth(*of_, exact_);
+    std::vector<double> weights;
+    if (GetParam() >= 16) {
+      for (std::size_t i = 0; i < sites.size(); ++i)
+        weights.push_back(static_cast<double>(random() % 9) / 128);
+    }
+    of_.emplace(sites, Box3{0, 0, 0, 1, 1, 1}, weights);
+    complex_ = truth(*of_, hidden_);
     random_ = random;
     RecordProperty("seed", std::to_string(GetParam()));
   }
-  [[nodiscard]] Conditions brokenBy(const Complex& complex) const { return broken(*of_, complex, exact_); }
+  [[nodiscard]] Conditions brokenBy(const Complex& complex) const { return broken(*of_, complex, hidden_); }
 
   std::optional<Case> of_;
   Complex complex_;
-  std::vector<std::uint8_t> exact_;
+  std::vector<std::uint8_t> hidden_;
   std::mt19937_64 random_;
 };
 
-INSTANTIATE_TEST_SUITE_P(Seeds, Lies, testing::Range<std::uint64_t>(0, 16));
+// From 16 on with weights.
+INSTANTIATE_TEST_SUITE_P(Seeds, Lies, testing::Range<std::uint64_t>(0, 32));
 
 TEST_P(Lies, TheTruthPasses) { EXPECT_EQ(brokenBy(complex_), Conditions{}); }
 
@@ -292,7 +310,8 @@ TEST_P(Lies, LabelsExchangedEverywhereAreRefused) {
   for (int repeat = 0; repeat < 5; ++repeat) {
     const auto a = static_cast<Label>(random_() % of_->size()),
                b = static_cast<Label>(random_() % of_->size());
-    if (a == b) continue;
+    const auto isHidden = [this](Label site) { return hidden_[static_cast<std::size_t>(site)] != 0; };
+    if (a == b || (isHidden(a) && isHidden(b))) continue;
     EXPECT_NE(brokenBy(renamed(complex_, {{a, b}, {b, a}})), Conditions{}) << a << ' ' << b;
   }
   EXPECT_TRUE(brokenBy(renamed(complex_, {{-1, -2}, {-2, -1}})).contains("C2"));
@@ -306,19 +325,24 @@ TEST_P(Lies, AMirrorImageIsRefusedByOrientation) {
 
 TEST_P(Lies, ASiteLeftOutEverywhereIsForgotten) {
   Sites3 sites = of_->unscaled();
-  sites.erase(sites.begin() + static_cast<std::ptrdiff_t>(random_() % sites.size()));
-  const Case fewer(sites);
-  std::vector<std::uint8_t> exact;
-  EXPECT_EQ(brokenBy(renamed(truth(fewer, exact), of_->namesOf(fewer))), Conditions{"C5"});
+  std::vector<double> weights = of_->unscaledWeights();
+  std::size_t left_out = 0;
+  do left_out = random_() % sites.size();
+  while (hidden_[left_out] != 0);
+  sites.erase(sites.begin() + static_cast<std::ptrdiff_t>(left_out));
+  if (!weights.empty()) weights.erase(weights.begin() + static_cast<std::ptrdiff_t>(left_out));
+  const Case fewer(sites, {0, 0, 0, 1, 1, 1}, weights);
+  std::vector<std::uint8_t> hidden;
+  EXPECT_EQ(brokenBy(renamed(truth(fewer, hidden), of_->namesOf(fewer))), Conditions{"C5"});
 }
 
 // A wall is forgotten, or stands elsewhere: cells as they would be if the box reached further there.
 TEST_P(Lies, CellsThatReachBeyondAWallAreRefused) {
   int different = 0;
   for (const Box3& wider : {Box3{0, 0, 0, 8, 1, 1}, Box3{0, -8, 0, 1, 1, 1}, Box3{0, 0, -0.5, 1, 1, 1.5}}) {
-    const Case beyond(of_->unscaled(), wider);
-    std::vector<std::uint8_t> exact;
-    const Complex other = renamed(truth(beyond, exact), of_->namesOf(beyond));
+    const Case beyond(of_->unscaled(), wider, of_->unscaledWeights());
+    std::vector<std::uint8_t> hidden;
+    const Complex other = renamed(truth(beyond, hidden), of_->namesOf(beyond));
     if (other == complex_) continue;
     ++different;
     EXPECT_EQ(brokenBy(other), Conditions{"C3"});
@@ -332,13 +356,18 @@ TEST_P(Lies, CellsThatReachBeyondAWallAreRefused) {
 
 TEST_P(Lies, TwoSheetsAreRefusedByTheCorner) {
   Complex both;
-  std::array<Sites3, 2> halves;
   const Sites3 sites = of_->unscaled();
-  for (std::size_t i = 0; i < sites.size(); ++i) halves[i % 2].push_back(sites[i]);
-  for (const Sites3& half : halves) {
-    const Case sheet(half);
-    std::vector<std::uint8_t> exact;
-    both.merge(renamed(truth(sheet, exact), of_->namesOf(sheet)));
+  const std::vector<double> weights = of_->unscaledWeights();
+  for (const std::size_t half : {0U, 1U}) {
+    Sites3 of_half;
+    std::vector<double> its_weights;
+    for (std::size_t i = half; i < sites.size(); i += 2) {
+      of_half.push_back(sites[i]);
+      if (!weights.empty()) its_weights.push_back(weights[i]);
+    }
+    const Case sheet(of_half, {0, 0, 0, 1, 1, 1}, its_weights);
+    std::vector<std::uint8_t> hidden;
+    both.merge(renamed(truth(sheet, hidden), of_->namesOf(sheet)));
   }
   EXPECT_EQ(brokenBy(both), Conditions{"C4"});
 }
@@ -348,9 +377,11 @@ TEST_P(Lies, RowsThatDisagreeAreRefused) {
     // One vertex is another in one of its cells; a row is gone, but not for its neighbors.
     Proposal proposal(complex_, of_->size());
     ASSERT_TRUE(proposal.whole);
-    const std::size_t site = random_() % of_->size();
+    std::size_t site = 0;
+    do site = random_() % of_->size();
+    while (hidden_[site] != 0);
     proposal.rows.clear(site);
-    EXPECT_TRUE(broken(*of_, proposal.rows, exact_).contains("C1"));
+    EXPECT_TRUE(broken(*of_, proposal.rows, hidden_).contains("C1"));
     // Two thirds are exchanged in the cell of one site alone.
     std::vector<std::array<Label, 3>> corners;
     ExactSearch search(of_->bins);
@@ -364,14 +395,16 @@ TEST_P(Lies, RowsThatDisagreeAreRefused) {
     Proposal exchanged(complex_, of_->size());
     exchanged.set(static_cast<Label>(site), corners);
     if (exchanged.whole) {
-      EXPECT_TRUE(broken(*of_, exchanged.rows, exact_).contains("C1"));
+      EXPECT_TRUE(broken(*of_, exchanged.rows, hidden_).contains("C1"));
     }
   }
 }
 
 TEST_P(Lies, ARingThatIsEmptiedMakesNoRow) {
   ExactSearch search(of_->bins);
-  const auto site = static_cast<Label>(random_() % of_->size());
+  Label site = 0;
+  do site = static_cast<Label>(random_() % of_->size());
+  while (hidden_[static_cast<std::size_t>(site)] != 0);
   const auto all = search.cellOf(site).vertices();
   const std::vector<std::array<Label, 3>> corners(all.begin(), all.end());
   Proposal whole(complex_, of_->size());
@@ -385,7 +418,7 @@ TEST_P(Lies, ARingThatIsEmptiedMakesNoRow) {
   Proposal proposal(complex_, of_->size());
   proposal.set(site, others);
   EXPECT_FALSE(proposal.whole);
-  EXPECT_TRUE(broken(*of_, proposal.rows, exact_).contains("C1"));
+  EXPECT_TRUE(broken(*of_, proposal.rows, hidden_).contains("C1"));
 }
 
 // Sites beyond the box have no cell. Each is put into each vertex, in all cells that have it: a flip of one
@@ -397,18 +430,18 @@ TEST(Certificate, CellsOfSitesWithoutAnyAreRefused) {
     Sites3 sites = randomSites(random, 15);
     for (const double far : {-1.5, -0.6, 1.7, 2.6}) sites.push_back({far, 0.3 + 0.1 * far, 0.5});
     const Case of(sites);
-    std::vector<std::uint8_t> exact;
-    const Complex complex = truth(of, exact);
-    EXPECT_EQ(broken(of, complex, exact), Conditions{});
-    EXPECT_GT(std::ranges::count(exact, 1), 0);
+    std::vector<std::uint8_t> hidden;
+    const Complex complex = truth(of, hidden);
+    EXPECT_EQ(broken(of, complex, hidden), Conditions{});
+    EXPECT_GT(std::ranges::count(hidden, 1), 0);
     for (std::size_t i = 0; i < of.size(); ++i) {
-      if (exact[i] == 0) continue;
+      if (hidden[i] == 0) continue;
       for (const auto& vertex : complex) {
         const Quadruple& q = vertex.first;
         const auto other = flipped(complex, {q[0], q[1], q[2], q[3], static_cast<Label>(i)});
         ASSERT_TRUE(other.has_value());
         ++inserted;
-        const Conditions conditions = broken(of, *other, exact);
+        const Conditions conditions = broken(of, *other, hidden);
         EXPECT_FALSE(conditions.empty()) << "seed " << seed << ", site " << i;
         by_regularity_alone += conditions == Conditions{"C3"} ? 1 : 0;
       }
@@ -425,12 +458,12 @@ TEST(Certificate, FlipsNeedOrientationAndRegularity) {
   for (std::uint64_t seed = 0; seed < 40 && alone.size() < 2; ++seed) {
     std::mt19937_64 random(seed);
     const Case of(randomSites(random, 20));
-    std::vector<std::uint8_t> exact;
-    const Complex complex = truth(of, exact);
+    std::vector<std::uint8_t> hidden;
+    const Complex complex = truth(of, hidden);
     for (const auto& five : pairsOf(complex)) {
       const auto other = flipped(complex, five);
       if (!other) continue;
-      const Conditions conditions = broken(of, *other, exact);
+      const Conditions conditions = broken(of, *other, hidden);
       if (conditions == Conditions{"C2"} || conditions == Conditions{"C3"}) alone.insert(conditions);
     }
   }
@@ -485,11 +518,11 @@ TEST(Certificate, OnlyTheCornerRefusesAStar) {
 
 TEST(Certificate, AMirroredCellOfOneSiteIsRefused) {
   const Case of({{0.3, 0.4, 0.6}});
-  std::vector<std::uint8_t> exact;
-  Complex complex = truth(of, exact);
-  EXPECT_EQ(broken(of, complex, exact), Conditions{});
+  std::vector<std::uint8_t> hidden;
+  Complex complex = truth(of, hidden);
+  EXPECT_EQ(broken(of, complex, hidden), Conditions{});
   for (auto& vertex : complex) vertex.second = -vertex.second;
-  EXPECT_EQ(broken(of, complex, exact), Conditions{"C2"});
+  EXPECT_EQ(broken(of, complex, hidden), Conditions{"C2"});
 }
 
 // Edges that the distances of sites would prove (corrections of 1.8): the error grows with the radius.
@@ -500,22 +533,62 @@ TEST(Certificate, NearSitesHaveNoEdgeOfTheWrongSign) {
                     {0.6387159488226736, 0.6885049167784874, 0.6731076463546524},
                     {0.6077779060509136, 0.4492690757518062, 0.5354922850339192}};
   const Case of(five);
-  std::vector<std::uint8_t> exact;
-  const Complex complex = truth(of, exact);
-  EXPECT_EQ(broken(of, complex, exact), Conditions{});
+  std::vector<std::uint8_t> hidden;
+  const Complex complex = truth(of, hidden);
+  EXPECT_EQ(broken(of, complex, hidden), Conditions{});
   for (const auto& labels : pairsOf(complex)) {
     if (const auto other = flipped(complex, labels)) {
-      EXPECT_NE(broken(of, *other, exact), Conditions{});
+      EXPECT_NE(broken(of, *other, hidden), Conditions{});
     }
   }
 }
 
-// Cells of equal surroundings are computed once: no site, wall or rounded coordinate more or less passes for
-// equal.
-TEST(ExactSearch, FindsTheSameCellsAgain) {
+// What proves that a site has no cell: with each of its labels exchanged for another it proves no longer, or
+// still does so rightly; and of sites with a cell nothing does.
+TEST(Certificate, OnlyHiddenSitesAreProvedToHaveNoCell) {
+  int hidden_sites = 0, refused = 0;
+  for (std::uint64_t seed = 0; seed < 12; ++seed) {
+    std::mt19937_64 random(seed);
+    const Sites3 sites = seed % 3 == 2 ? lattice() : randomSites(random, 25);
+    std::vector<double> weights;
+    for (std::size_t i = 0; i < sites.size(); ++i) weights.push_back(static_cast<double>(random() % 9) / 64);
+    const Case of(sites, {0, 0, 0, 1, 1, 1}, weights);
+    const Places places = of.bins.places();
+    std::vector<NoCell> reasons;
+    std::vector<std::uint8_t> hidden;
+    truth(of, hidden);
+    ExactSearch search(of.bins);
+    for (std::size_t i = 0; i < of.size(); ++i) {
+      if (!search.cellOf(static_cast<Label>(i)).empty()) continue;
+      ++hidden_sites;
+      reasons.push_back(search.emptiedBy());
+      for (int change = 0; change < 20; ++change) {
+        NoCell other = search.emptiedBy();
+        other[random() % 4] = static_cast<Label>(random() % (of.size() + walls)) - walls;
+        refused += leaveNothing(places, static_cast<Label>(i), other) ? 0 : 1;
+      }
+    }
+    for (std::size_t i = 0; i < of.size(); ++i) {
+      if (hidden[i] != 0) continue;
+      for (const NoCell& reason : reasons) EXPECT_FALSE(leaveNothing(places, static_cast<Label>(i), reason));
+      for (int any = 0; any < 200; ++any) {
+        NoCell reason{};
+        for (Label& label : reason) label = static_cast<Label>(random() % (of.size() + walls)) - walls;
+        EXPECT_FALSE(leaveNothing(places, static_cast<Label>(i), reason));
+      }
+    }
+  }
+  EXPECT_GT(hidden_sites, 30);
+  EXPECT_GT(refused, 100);
+}
+
+// Cells of equal surroundings are computed once: no site, wall, weight or rounded coordinate more or less
+// passes for equal.
+void expectTheSameCellsAgain(bool weighs) {
   constexpr int n = 9;
   for (const double cell_size : {1.0 / 8, 1.0 / n}) {
     Sites3 sites;
+    std::vector<double> weights;
     for (int x = 0; x < n; ++x) {
       for (int y = 0; y < n; ++y) {
         for (int z = 0; z < n; ++z) {
@@ -523,10 +596,12 @@ TEST(ExactSearch, FindsTheSameCellsAgain) {
           if (x == 4 && y == 3 && z == 5) continue;
           const double moved = x == 2 && y == 6 && z == 3 ? 0x1p-50 : 0;
           sites.push_back({(x + 0.4) * cell_size + moved, (y + 0.4) * cell_size, (z + 0.4) * cell_size});
+          const double more = x == 6 && y == 2 && z == 6 ? 0x1p-50 : 0;
+          if (weighs) weights.push_back((x + y + z) % 2 == 0 ? 0 : 0x1p-8 + more);
         }
       }
     }
-    const Case of(sites, {0, 0, 0, n * cell_size, n * cell_size, n * cell_size});
+    const Case of(sites, {0, 0, 0, n * cell_size, n * cell_size, n * cell_size}, weights);
     ExactSearch remembers(of.bins);
     for (std::size_t i = 0; i < of.size(); ++i) {
       const auto site = static_cast<Label>(i);
@@ -547,6 +622,105 @@ TEST(ExactSearch, FindsTheSameCellsAgain) {
     }
     EXPECT_GT(remembers.known(), of.size() / 8);
   }
+}
+TEST(ExactSearch, FindsTheSameCellsAgain) { expectTheSameCellsAgain(false); }
+TEST(ExactSearch, FindsTheSameWeighedCellsAgain) { expectTheSameCellsAgain(true); }
+
+// By integers alone, of a thousand sites each: the rows that are certified fulfil C1 to C4, and those who
+// have none cut no vertex of them.
+TEST(Certificate, RowsWithWeightsAreRightByIntegers) {
+  std::mt19937_64 random(20271203);
+  std::uniform_real_distribution<double> uniform(0, 1);
+  const auto u = [&] { return uniform(random); };
+  constexpr std::size_t n = 1000;
+  struct Input {
+    const char* name;
+    Sites3 sites;
+    std::vector<double> weights;
+  };
+  std::vector<Input> inputs;
+  const auto add = [&](const char* name, const auto& place, const auto& weight) {
+    Input& input = inputs.emplace_back(Input{name, {}, {}});
+    for (std::size_t i = 0; i < n; ++i) {
+      input.sites.push_back(place(i));
+      input.weights.push_back(weight(input.sites.back()));
+    }
+  };
+  const auto anywhere = [&](std::size_t) {
+    const double x = u(), y = u();
+    return Point3{x, y, u()};
+  };
+  const auto in_lattice = [](std::size_t i) {
+    const auto k = static_cast<double>(i);
+    return Point3{(std::fmod(k, 10) + 0.5) / 10, (std::fmod(std::floor(k / 10), 10) + 0.5) / 10,
+                  (std::floor(k / 100) + 0.5) / 10};
+  };
+  const auto decimal = [&](std::size_t i) {
+    const Point3 p = anywhere(i);
+    return Point3{std::round(p.x * 30) / 30, std::round(p.y * 30) / 30, std::round(p.z * 30) / 30};
+  };
+  const auto near_lattice = [&](std::size_t i) {
+    const Point3 p = in_lattice(i);
+    return Point3{p.x + 1e-9 * u(), p.y + 1e-9 * u(), p.z + 1e-9 * u()};
+  };
+  add("moderate", anywhere, [&](const Point3&) { return 0.01 * u(); });
+  add("six decades", anywhere, [&](const Point3&) { return 1e-2 * std::pow(10, 6 * u() - 6); });
+  add("lattice, few weights", in_lattice, [&](const Point3&) { return std::floor(3 * u()) / 512; });
+  add("lattice and noise", near_lattice, [&](const Point3&) { return std::floor(3 * u()) / 512; });
+  add("decimals", decimal, [&](const Point3&) { return std::floor(3 * u()) / 900; });
+  add("all alike at a point", anywhere, [](const Point3& p) {
+    return std::pow(p.x - 0.5, 2) + std::pow(p.y - 0.5, 2) + std::pow(p.z - 0.5, 2);
+  });
+  for (const Input& input : inputs) {
+    SCOPED_TRACE(input.name);
+    const Case of(input.sites, {0, 0, 0, 1, 1, 1}, input.weights);
+    Diagram3 diagram;
+    Records records(of.bins.places(), 1, of.bins.input, input.sites, Detail3::measures, 1, diagram);
+    const auto found = certify(of.bins, records, {}, 1);
+    ASSERT_TRUE(found.has_value()) << found.error().message;
+    const test::ExactSpace exact(of.bins.sites, of.bins.box, of.bins.weights);
+    test::LabelRows rows(of.size());
+    std::vector<Quadruple> vertices;
+    std::vector<Label> without;
+    for (std::size_t i = 0; i < of.size(); ++i) {
+      const Row row = found->rows[i];
+      const auto site = static_cast<Label>(i);
+      if (row.faces == 0) without.push_back(site);
+      for (std::size_t f = 0; f < row.faces; ++f) {
+        const Ring ring = row.ring(f);
+        for (std::size_t k = 0; k < ring.size(); ++k) {
+          rows[i][row.neighbor[f]].push_back(row.neighbor[ring[k]]);
+          const Label a = row.neighbor[ring[k]], b = row.neighbor[ring[k + 1 == ring.size() ? 0 : k + 1]];
+          if (row.neighbor[f] < a && row.neighbor[f] < b) vertices.push_back({site, row.neighbor[f], a, b});
+        }
+      }
+    }
+    EXPECT_EQ(test::brokenConditions(exact, rows), Conditions{});
+    constexpr std::size_t most = 12;
+    std::ranges::shuffle(without, random);
+    if (without.size() > most) without.resize(most);
+    for (const Label site : without) {
+      for (const auto& [i, j, k, l] : vertices) ASSERT_FALSE(exact.cuts(i, j, k, l, site)) << site;
+    }
+    if (input.name == std::string("moderate")) {
+      EXPECT_EQ(without.size(), most);
+    }
+  }
+}
+
+TEST(SiteBins, OfPlacesFarAwayAreTheLast) {
+  Sites3 sites = generate(Pattern3::random, 1000, 1);
+  for (Point3& p : sites) p = {1e-12 * p.x, 1e-12 * p.y, 1e-12 * p.z};
+  const SiteBins bins = binSites(sites, {-1, -1, -1, 1, 1, 1}, 1);
+  EXPECT_GT(bins.count[0], 4);
+  EXPECT_EQ(bins.binOf({1, -1, 1e100}), (std::array{bins.count[0] - 1, 0, bins.count[2] - 1}));
+}
+
+// The product of such extents is less than any double.
+TEST(SiteBins, AreManyAlongAThinLine) {
+  Sites3 sites;
+  for (int k = 0; k < 1000; ++k) sites.push_back({k / 1000.0, 1e-200 * (k % 7), 1e-190 * (k % 3)});
+  EXPECT_GT(binSites(sites, {0, 0, 0, 1, 1, 1}, 1).bins(), 200U);
 }
 
 }  // namespace

@@ -90,14 +90,17 @@ void expectConvex(const Places& places, Label site, std::span<const Triple> vert
 }
 
 /// Returns the number of vertices.
-std::size_t expectDiagram(const Sites& sites, const Box3& box) {
-  const Places places{sites.data(), box};
+std::size_t expectDiagram(const Sites& sites, const Box3& box, const std::vector<double>& weights = {}) {
+  const Places places{sites.data(), box, weights.empty() ? nullptr : weights.data()};
   std::map<std::array<Label, 4>, std::pair<bool, int>> vertices;
   std::vector<Label> without;
   for (Label i = 0; i < static_cast<Label>(sites.size()); ++i) {
     const ExactCell cell = cellOf(places, sites.size(), i);
     EXPECT_EQ(turned(cell.vertices()), turned(cellOf(places, sites.size(), i, false).vertices()));
-    if (cell.empty()) without.push_back(i);
+    if (cell.empty()) {
+      without.push_back(i);
+      EXPECT_TRUE(leaveNothing(places, i, cell.emptiedBy())) << i;
+    }
     expectConvex(places, i, cell.vertices());
     for (const Triple& t : cell.vertices()) {
       const auto& [labels, even] = whole(i, t);
@@ -237,6 +240,33 @@ TEST(ExactCell, OfDecimals) {
   expectDiagram(snapped(random(80, 5), 10), whole_box);
   expectDiagram(snapped(random(80, 6), 8), whole_box);
   expectDiagram(snapped(random(80, 7), 1e6), whole_box);
+}
+
+TEST(ExactCell, OfWeights) {
+  Random numbers(12);
+  const auto weightsOf = [&](std::size_t count, const auto& weight) {
+    std::vector<double> weights(count);
+    for (double& w : weights) w = weight();
+    return weights;
+  };
+  const Sites sites = random(60, 4), exact = lattice(4, 0.25, 0.125), rounded = lattice(4, 0.23, 0.11, bcc);
+  const auto moderate = [&] { return 0.05 * numbers.uniform(); };
+  const auto decades = [&] { return std::pow(10.0, 6 * numbers.uniform() - 7); };
+  const auto few = [&] { return static_cast<double>(numbers.below(4)) / 64; };
+  expectDiagram(sites, whole_box, weightsOf(60, moderate));
+  expectDiagram(sites, whole_box, weightsOf(60, [&] { return -decades(); }));
+  expectDiagram(sites, whole_box, weightsOf(60, decades));
+  expectDiagram(exact, whole_box, weightsOf(exact.size(), few));
+  expectDiagram(exact, whole_box, weightsOf(exact.size(), [&] { return 4 * few(); }));
+  expectDiagram(rounded, whole_box, weightsOf(rounded.size(), few));
+  expectDiagram(snapped(random(80, 5), 8), whole_box,
+                weightsOf(snapped(random(80, 5), 8).size(), [&] { return few() / 4; }));
+  // All but one are hidden; and cells that are one point.
+  std::vector<double> one(exact.size(), 0.0);
+  one[21] = 100;
+  EXPECT_EQ(expectDiagram(exact, whole_box, one), 8U);
+  one[21] = 1.0 / 16;
+  expectDiagram(exact, whole_box, one);
 }
 
 TEST(ExactCell, OfASphereAndItsCenter) {

@@ -17,7 +17,7 @@ namespace {
 using test::Random;
 using Integer = boost::multiprecision::mpz_int;
 
-/// A row of a determinant: of a site (x, y, z, |x|^2, 1), of a wall (n, 2 h, 0).
+/// A row of a determinant: of a site of weight w (x, y, z, |x|^2 - w, 1), of a wall (n, 2 h, 0).
 using OracleRow = std::array<Integer, 5>;
 
 Integer determinant(const std::vector<OracleRow>& rows, const std::vector<std::size_t>& columns) {
@@ -39,8 +39,9 @@ struct Tuple {
   std::vector<Point3> site;
   Box3 box{};
   std::array<Label, 5> label{};
+  std::vector<double> weight{};  ///< none, or of each site
 
-  [[nodiscard]] Places places() const { return {site.data(), box}; }
+  [[nodiscard]] Places places() const { return {site.data(), box, weight.empty() ? nullptr : weight.data()}; }
   [[nodiscard]] int orientation() const {
     return space::orientation(places(), label[0], label[1], label[2], label[3]);
   }
@@ -58,6 +59,10 @@ class Oracle {
       if (std::frexp(number, &exponent) == 0) continue;
       least_ = std::min(least_, exponent - 53);
       most = std::max(most, exponent);
+    }
+    for (const double weight : tuple.weight) {
+      int exponent = 0;
+      if (std::frexp(weight, &exponent) != 0) least_ = std::min(least_, (exponent - 53) / 2 - 1);
     }
     bits_ = most - least_;
     for (const Label label : tuple.label) rows_.push_back(row(label));
@@ -94,11 +99,12 @@ class Oracle {
     return all;
   }
 
-  [[nodiscard]] Integer integer(double number) const {
+  [[nodiscard]] Integer integer(double number) const { return integer(number, least_); }
+  static Integer integer(double number, int least) {
     int exponent = 0;
     const double digits = std::frexp(number, &exponent);
     const Integer whole = static_cast<std::int64_t>(std::ldexp(digits, 53));
-    return whole == 0 ? whole : Integer(whole << static_cast<unsigned>(exponent - 53 - least_));
+    return whole == 0 ? whole : Integer(whole << static_cast<unsigned>(exponent - 53 - least));
   }
 
   [[nodiscard]] OracleRow row(Label label) const {
@@ -110,7 +116,10 @@ class Oracle {
     }
     const Point3& p = tuple_.site[static_cast<std::size_t>(label)];
     const Integer x = integer(p.x), y = integer(p.y), z = integer(p.z);
-    return {x, y, z, x * x + y * y + z * z, 1};
+    const Integer weight = tuple_.weight.empty()
+                               ? Integer(0)
+                               : integer(tuple_.weight[static_cast<std::size_t>(label)], 2 * least_);
+    return {x, y, z, x * x + y * y + z * z - weight, 1};
   }
 
   /// By which heights are ordered.
@@ -244,15 +253,34 @@ Tuple tupleOf(Family family, Random& random) {
   return tuple;
 }
 
+/// How sites weigh: not at all; at random; by few digits, so that ties remain; so that all have nearly the
+/// same power, or exactly, at a point; far apart by six decades.
+enum class Weighing { none, random, few_digits, all_at_a_point, decades };
+
+void weigh(Tuple& tuple, Weighing weighing, Random& random) {
+  const Point3 at = tuple.site[random.below(5)];
+  const int digits = static_cast<int>(random.below(30));
+  for (const Point3& p : tuple.site) {
+    const double x = p.x - at.x, y = p.y - at.y, z = p.z - at.z, squared = x * x + y * y + z * z;
+    double weight = 0;
+    if (weighing == Weighing::random) weight = sign(random) * random.uniform() * 0.1;
+    if (weighing == Weighing::few_digits) weight = std::ldexp(static_cast<double>(random.below(4)), -digits);
+    if (weighing == Weighing::all_at_a_point) weight = squared + (random.below(2) == 0 ? 0.25 : 0);
+    if (weighing == Weighing::decades) weight = sign(random) * std::pow(10.0, 6 * random.uniform() - 3);
+    if (weighing != Weighing::none) tuple.weight.push_back(weight);
+  }
+}
+
 struct Counted {
   int turns[3] = {0, 0, 0}, ties = 0, cut = 0, kept = 0;
 };
 
-Counted compare(Family family, int trials, std::uint64_t seed) {
+Counted compare(Family family, int trials, std::uint64_t seed, Weighing weighing = Weighing::none) {
   Random random(seed);
   Counted count;
   for (int trial = 0; trial < trials && !testing::Test::HasFailure(); ++trial) {
     Tuple tuple = tupleOf(family, random);
+    weigh(tuple, weighing, random);
     const Oracle oracle(tuple);
     const int turn = oracle.orientation();
     ++count.turns[turn + 1];
@@ -293,6 +321,18 @@ TEST_P(Predicates, AreExact) {
   EXPECT_GT(exactSigns(), exact) << "the filter was not sufficient once";
 }
 
+TEST_P(Predicates, AreExactWithWeights) {
+  const auto exact = exactSigns();
+  for (const Weighing weighing :
+       {Weighing::random, Weighing::few_digits, Weighing::all_at_a_point, Weighing::decades}) {
+    SCOPED_TRACE(testing::Message() << "weighing " << static_cast<int>(weighing));
+    const Counted count = compare(GetParam().family, GetParam().trials / 5, 4, weighing);
+    EXPECT_GT(count.cut, 0);
+    EXPECT_GT(count.kept, 0);
+  }
+  EXPECT_GT(exactSigns(), exact) << "the filter was not sufficient once";
+}
+
 INSTANTIATE_TEST_SUITE_P(Of, Predicates,
                          testing::Values(Kind{"Anywhere", anywhere, 20000}, Kind{"Snapped", snapped, 20000},
                                          Kind{"Lattice", latticePoint, 15000},
@@ -308,6 +348,8 @@ TEST(SpacePredicates, TiesAreAmongThese) {
   EXPECT_GT(compare(latticePoint, 5000, 2).ties, 500);
   EXPECT_GT(compare(boxCorner, 5000, 2).ties, 1500);
   EXPECT_GT(compare(snapped, 5000, 2).ties, 50);
+  EXPECT_GT(compare(latticePoint, 5000, 2, Weighing::few_digits).ties, 50);
+  EXPECT_GT(compare(snapped, 5000, 2, Weighing::all_at_a_point).ties, 100);
 }
 
 TEST(SpacePredicates, ATranslationByAQuantumChangesNothing) {
