@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -193,8 +194,11 @@ class Border {
 
   /// What is wrong with a side: a part that no cell or more than one has, or a part that is not the domain's.
   [[nodiscard]] std::string wrong(std::size_t side) const {
-    const auto wanted = std::ranges::equal_range(wanted_, side, {}, &Stretch::side);
-    const auto had = std::ranges::equal_range(had_, side, {}, &Stretch::side);
+    const auto ofSide = [side](const std::vector<Stretch>& all) {
+      return std::span(std::ranges::lower_bound(all, side, {}, &Stretch::side),
+                       std::ranges::upper_bound(all, side, {}, &Stretch::side));
+    };
+    const auto wanted = ofSide(wanted_), had = ofSide(had_);
     std::vector<std::pair<double, int>> ends;
     // For a side that no cell has, the cells do not determine how much may be missing.
     double slack = had.empty() ? run_.ties(run_.shorter_side) : rounding_;

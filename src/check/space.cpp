@@ -2,6 +2,7 @@
 
 #include <fmt/core.h>
 
+#include <functional>
 #include <numeric>
 
 #include "base/block_sums.h"
@@ -18,11 +19,34 @@ double scaleOfSpace(const Box3& box) {
   return std::ldexp(1.0, 1 - exponent);
 }
 
-/// For each site, the first one at its position.
-std::vector<std::uint32_t> firstAtPositions(std::span<const Point3> sites) {
+/// Around the vectors of a lattice that begin at 0.
+Box3 domainOrAround(const Cells3Options& options) {
+  if (!options.lattice) return options.domain;
+  const auto& [a, b, c] = *options.lattice;
+  const auto most = [](double x, double y, double z) { return std::abs(x) + std::abs(y) + std::abs(z); };
+  const double x = most(a.x, b.x, c.x), y = most(a.y, b.y, c.y), z = most(a.z, b.z, c.z);
+  return {-x, -y, -z, x, y, z};
+}
+
+/// Sites of a period that has few digits, each in it.
+Sites3 withinPeriod(const CheckedSpace& run) {
+  Sites3 places(run.size());
+  for (std::size_t i = 0; i < run.size(); ++i)
+    places[i] = run.period.less(run.site(i), run.period.stepsTo(run.site(i)));
+  return places;
+}
+
+/// For each site, the heaviest at its position, and of several the first.
+std::vector<std::uint32_t> firstAtPositions(const CheckedSpace& run) {
+  const bool wraps = run.period.repeats() && run.period.isCoarse();
+  const Sites3 within = wraps ? withinPeriod(run) : Sites3();
+  const auto sites = wraps ? std::span<const Point3>(within) : run.sites;
   std::vector<std::uint32_t> order(sites.size()), first(sites.size());
   std::iota(order.begin(), order.end(), 0u);
-  std::ranges::stable_sort(order, [&](std::uint32_t a, std::uint32_t b) { return sites[a] < sites[b]; });
+  std::ranges::stable_sort(order, [&](std::uint32_t a, std::uint32_t b) {
+    if (sites[a] != sites[b]) return sites[a] < sites[b];
+    return run.weighted && run.weights[a] > run.weights[b];
+  });
   for (std::size_t k = 0; k < order.size(); ++k) {
     const bool same = k > 0 && sites[order[k - 1]] == sites[order[k]];
     first[order[k]] = same ? first[order[k - 1]] : order[k];
@@ -30,15 +54,29 @@ std::vector<std::uint32_t> firstAtPositions(std::span<const Point3> sites) {
   return first;
 }
 
-bool isWallOfSpace(std::int64_t neighbor) {
-  return (neighbor <= wall_xmin && neighbor >= wall_ymax) || neighbor == wall_zmin || neighbor == wall_zmax;
+bool isWallOfSpace(const CheckedSpace& run, std::int64_t neighbor) {
+  const auto has = [&](std::int64_t low, std::int64_t high, std::size_t axis) {
+    return (neighbor == low || neighbor == high) && !run.period.along(axis);
+  };
+  return has(wall_xmin, wall_xmax, 0) || has(wall_ymin, wall_ymax, 1) || has(wall_zmin, wall_zmax, 2);
+}
+
+/// Whether a period's rounding may have made site i one with another, which is not lighter.
+bool mayBeOne(const CheckedSpace& run, std::size_t i, std::size_t owner) {
+  if (!run.period.repeats() || owner >= run.size() || run.diagram.owner[owner] != owner) return false;
+  const Vector3 way = run.scaled(run.sites[owner] - run.sites[i]);
+  const double apart = length(way + run.period.of(run.period.toOrigin(way)));
+  const double far = std::max({run.largest, length(run.site(i)), length(run.site(owner))});
+  constexpr double steps = 16;
+  const double heavier = run.heavier(owner, i);
+  return apart <= steps * epsilon * far && (heavier > 0 || (heavier == 0 && owner < i));
 }
 
 void checkSpaceOutcome(const CheckedSpace& run, Broken& broken) {
   const Diagram3& d = run.diagram;
-  const auto first = firstAtPositions(run.sites);
+  const auto first = firstAtPositions(run);
   broken.expect("owners", run.size(), run.threads, [&](std::size_t i) {
-    return d.owner[i] == first[i]
+    return d.owner[i] == first[i] || mayBeOne(run, i, d.owner[i])
                ? std::string()
                : fmt::format("site {} is owned by site {}, but site {} has its position first", i, d.owner[i],
                              first[i]);
@@ -46,10 +84,10 @@ void checkSpaceOutcome(const CheckedSpace& run, Broken& broken) {
   broken.expect("statuses", run.size(), run.threads, [&](std::size_t i) -> std::string {
     const bool duplicate = d.status[i] == Status::duplicate;
     if (d.status[i] > Status::duplicate) return fmt::format("site {} has none that is known", i);
-    if (duplicate != (first[i] != i)) {
+    if (duplicate != (d.owner[i] != i)) {
       return fmt::format("site {} is {}a duplicate", i, duplicate ? "" : "not ");
     }
-    if (d.status[i] != Status::empty || !run.inDomain(run.site(i))) return {};
+    if (d.status[i] != Status::empty || run.weighted || !run.inDomain(run.site(i))) return {};
     return fmt::format("site {} lies in the domain and cannot be empty", i);
   });
   std::array<std::uint64_t, 4> counts{};
@@ -73,13 +111,21 @@ std::string wrongRecord(const CheckedSpace& run, std::size_t i) {
   }
   for (std::size_t face = run.begin(i); face < run.end(i); ++face) {
     const std::int64_t neighbor = d.neighbors[face];
-    const bool known = neighbor < 0 ? isWallOfSpace(neighbor)
+    const Shift3 by = run.shift(face);
+    const bool is_moved = by != Shift3{};
+    const bool known = neighbor < 0 ? isWallOfSpace(run, neighbor) && !is_moved
                                     : static_cast<std::size_t>(neighbor) < run.size() &&
-                                          static_cast<std::size_t>(neighbor) != i &&
+                                          (is_moved || static_cast<std::size_t>(neighbor) != i) &&
                                           run.ok(static_cast<std::size_t>(neighbor));
-    if (!known) return fmt::format("site {} has the neighbor {}, which is none", i, neighbor);
-    if (face > run.begin(i) && d.neighbors[face - 1] >= neighbor)
-      return fmt::format("the neighbors of site {} do not ascend at {}", i, neighbor);
+    if (!known) return fmt::format("site {} has the neighbor {}, which is none", i, run.name(neighbor, by));
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      if (by[axis] != 0 && !run.period.along(axis))
+        return fmt::format("site {} has the neighbor {}, but that axis does not repeat", i,
+                           run.name(neighbor, by));
+    }
+    if (face > run.begin(i) &&
+        std::pair(d.neighbors[face - 1], run.shift(face - 1)) >= std::pair(neighbor, by))
+      return fmt::format("the neighbors of site {} do not ascend at {}", i, run.name(neighbor, by));
     if (!(d.face_areas[face] >= 0 && std::isfinite(d.face_areas[face])))
       return fmt::format("the face of sites {} and {} has the area {}", i, neighbor, d.face_areas[face]);
   }
@@ -87,7 +133,8 @@ std::string wrongRecord(const CheckedSpace& run, std::size_t i) {
 }
 
 /// What is wrong with the arrays of vertices.
-std::string wrongVertexArrays(const Diagram3& d) {
+std::string wrongVertexArrays(const CheckedSpace& run) {
+  const Diagram3& d = run.diagram;
   const auto ascending = [](const std::vector<std::uint64_t>& offsets, std::size_t count, std::size_t last) {
     return offsets.size() == count + 1 && offsets.front() == 0 && std::ranges::is_sorted(offsets) &&
            offsets.back() == last;
@@ -99,7 +146,7 @@ std::string wrongVertexArrays(const Diagram3& d) {
   const auto is_vertex = [&](std::uint32_t v) { return v < d.vertices.size(); };
   if (!std::ranges::all_of(d.face_vertices, is_vertex)) return "face_vertices has one that does not exist";
   const auto is_label = [&](std::int64_t label) {
-    return label < 0 ? isWallOfSpace(label) : static_cast<std::size_t>(label) < d.size();
+    return label < 0 ? isWallOfSpace(run, label) : static_cast<std::size_t>(label) < d.size();
   };
   if (!std::ranges::all_of(d.vertex_sites, is_label)) return "vertex_sites has one that does not exist";
   return {};
@@ -110,27 +157,40 @@ std::string wrongVertexArrays(const Diagram3& d) {
 CheckedSpace::CheckedSpace(std::span<const Point3> of, const Cells3Options& options, const Diagram3& result,
                            int thread_count)
     : sites(of),
+      weights(options.weights),
+      weighted(std::ranges::adjacent_find(weights, std::not_equal_to<>()) != weights.end()),
       diagram(result),
       detail(options.detail),
       threads(threadCount(thread_count)),
-      scale(scaleOfSpace(options.domain)) {
-  const Box3& b = options.domain;
+      scale(scaleOfSpace(domainOrAround(options))),
+      period(options, scale) {
+  const Box3 b = domainOrAround(options);
   box = {b.xmin * scale, b.ymin * scale, b.zmin * scale, b.xmax * scale, b.ymax * scale, b.zmax * scale};
-  shortest_side = std::min({box.xmax - box.xmin, box.ymax - box.ymin, box.zmax - box.zmin});
+  const double x = box.xmax - box.xmin, y = box.ymax - box.ymin, z = box.zmax - box.zmin;
+  shortest_side = flattest = std::min({x, y, z});
+  volume_of_all = x * y * z;
+  if (options.lattice) {
+    shortest_side = period.shortest();
+    volume_of_all = period.volume();
+    for (std::size_t r = 0; r < 3; ++r) flattest = std::min(flattest, 1 / period.partOfLength(r));
+  }
   largest = std::max({std::abs(box.xmin), std::abs(box.xmax), std::abs(box.ymin), std::abs(box.ymax),
                       std::abs(box.zmin), std::abs(box.zmax)});
 }
 
-std::optional<std::size_t> CheckedSpace::faceTo(std::size_t i, std::int64_t neighbor) const {
+std::optional<std::size_t> CheckedSpace::faceTo(std::size_t i, std::int64_t neighbor,
+                                                const Shift3& by) const {
   const auto first = diagram.neighbors.begin();
   const auto from = first + static_cast<std::ptrdiff_t>(begin(i)),
              to = first + static_cast<std::ptrdiff_t>(end(i));
-  const auto found = std::lower_bound(from, to, neighbor);
-  if (found == to || *found != neighbor) return std::nullopt;
-  return static_cast<std::size_t>(found - first);
+  for (auto found = std::lower_bound(from, to, neighbor); found != to && *found == neighbor; ++found) {
+    const auto face = static_cast<std::size_t>(found - first);
+    if (shift(face) == by) return face;
+  }
+  return std::nullopt;
 }
 
-Plane3 CheckedSpace::plane(std::size_t i, std::int64_t neighbor) const {
+Plane3 CheckedSpace::wall(std::int64_t neighbor) const {
   switch (neighbor) {
     case wall_xmin:
       return {{-1, 0, 0}, -box.xmin};
@@ -142,21 +202,38 @@ Plane3 CheckedSpace::plane(std::size_t i, std::int64_t neighbor) const {
       return {{0, 1, 0}, box.ymax};
     case wall_zmin:
       return {{0, 0, -1}, -box.zmin};
-    case wall_zmax:
-      return {{0, 0, 1}, box.zmax};
     default:
-      break;
+      return {{0, 0, 1}, box.zmax};
   }
-  const Vector3 way = scale * (sites[static_cast<std::size_t>(neighbor)] - sites[i]);
-  const double distance = length(way);
-  const Vector3 normal = (1 / distance) * way;
-  return {normal, dot(site(i), normal) + distance / 2};
 }
 
-double CheckedSpace::beyond(std::size_t i, std::size_t j, const Point3& p) const {
-  const Vector3 way = scale * (sites[j] - sites[i]);
-  const double distance = length(way);
-  return dot(p - site(i), way) / distance - distance / 2;
+Plane3 CheckedSpace::plane(std::size_t i, std::size_t face) const {
+  const std::int64_t neighbor = diagram.neighbors[face];
+  if (neighbor < 0) return wall(neighbor);
+  const Vector3 to = way(i, face);
+  const double distance = length(to);
+  const Vector3 normal = (1 / distance) * to;
+  const double foot = (distance + heavier(i, static_cast<std::size_t>(neighbor)) / distance) / 2;
+  return {normal, dot(site(i), normal) + foot};
+}
+
+double CheckedSpace::beyond(std::size_t i, std::size_t j, const Point3& p, const Shift3& by) const {
+  const Vector3 to = scale * (sites[j] - sites[i]) + period.of(by);
+  // A site without a cell may be so near that the square of this is 0.
+  const double distance = std::hypot(to.x, to.y, to.z);
+  return dot(p - site(i), to) / distance - (distance + heavier(i, j) / distance) / 2;
+}
+
+std::string CheckedSpace::name(std::int64_t neighbor, const Shift3& by) const {
+  if (by == Shift3{}) return fmt::format("{}", neighbor);
+  return fmt::format("{} moved by ({}, {}, {})", neighbor, by[0], by[1], by[2]);
+}
+
+Point3 CheckedSpace::placeAt(const std::array<double, 3>& parts) const {
+  const auto& [u, v, w] = parts;
+  if (period.isLattice()) return period.placeOf(parts);
+  return {box.xmin + u * (box.xmax - box.xmin), box.ymin + v * (box.ymax - box.ymin),
+          box.zmin + w * (box.zmax - box.zmin)};
 }
 
 double CheckedSpace::slack(std::size_t i) const {
@@ -168,17 +245,18 @@ double CheckedSpace::slack(std::size_t i) const {
       ++walls;
       continue;
     }
-    reach = std::max(reach, length(scale * (sites[static_cast<std::size_t>(neighbor)] - sites[i])));
+    reach = std::max(reach, length(way(i, face)));
     if (!polyhedra()) continue;
     for (const std::uint32_t v : ring(face)) reach = std::max(reach, length(vertex(v) - site(i)));
   }
-  // Along an edge of the box, ties are measured by its shortest side.
-  reach = walls > 1 ? std::max(reach, shortest_side) : std::min(reach, shortest_side);
+  // Along an edge of the box, ties are measured by its shortest side; between sites by their distance, which
+  // may be more than that in a flat box.
+  if (walls > 1) reach = std::max(reach, shortest_side);
   const Point3& p = sites[i];
   const double farthest =
       std::max({largest, std::abs(p.x * scale), std::abs(p.y * scale), std::abs(p.z * scale)});
   constexpr double steps = 64;
-  return tie_slack * reach + steps * epsilon * farthest;
+  return ties() * reach + steps * epsilon * farthest;
 }
 
 std::string CheckedSpace::text(const Point3& p) const {
@@ -203,6 +281,7 @@ bool checkSpaceArrays(const CheckedSpace& run, Broken& broken) {
     return false;
   }
   const std::size_t faces = d.face_offsets.back();
+  if (!has("neighbor_shifts", d.neighbor_shifts.size(), run.period.repeats() ? faces : 0)) return false;
   if (!(has("neighbors", d.neighbors.size(), faces) && has("face_areas", d.face_areas.size(), faces))) {
     return false;
   }
@@ -210,7 +289,7 @@ bool checkSpaceArrays(const CheckedSpace& run, Broken& broken) {
   if (!broken.expect("neighbors", n, run.threads, [&](std::size_t i) { return wrongRecord(run, i); })) {
     return false;
   }
-  const std::string wrong = run.polyhedra() ? wrongVertexArrays(d) : std::string();
+  const std::string wrong = run.polyhedra() ? wrongVertexArrays(run) : std::string();
   if (!wrong.empty()) broken.add("arrays", wrong);
   return wrong.empty();
 }

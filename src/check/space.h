@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "check/run.h"
+#include "check/space_period.h"
 #include "vorpipe.h"
 
 namespace vorpipe::core::checks {
@@ -58,29 +59,57 @@ struct CheckedSpace {
     const auto first = diagram.face_vertex_offsets[face];
     return std::span(diagram.face_vertices).subspan(first, diagram.face_vertex_offsets[face + 1] - first);
   }
-  /// The face of cell i whose neighbor is `neighbor`; none if there is no such.
-  [[nodiscard]] std::optional<std::size_t> faceTo(std::size_t i, std::int64_t neighbor) const;
-  /// The plane of a face of cell i, by its neighbor.
-  [[nodiscard]] Plane3 plane(std::size_t i, std::int64_t neighbor) const;
-  /// How far p is from site i to the bisector with site j, or from beyond it.
-  [[nodiscard]] double beyond(std::size_t i, std::size_t j, const Point3& p) const;
+  /// By what the neighbor of a face is moved; that of a wall is not.
+  [[nodiscard]] Shift3 shift(std::size_t face) const {
+    return period.repeats() ? diagram.neighbor_shifts[face] : Shift3{};
+  }
+  [[nodiscard]] Point3 image(std::size_t i, const Shift3& by) const { return site(i) + period.of(by); }
+  /// The way from cell i's site to the neighbor of its face, no wall.
+  [[nodiscard]] Vector3 way(std::size_t i, std::size_t face) const {
+    const auto j = static_cast<std::size_t>(diagram.neighbors[face]);
+    return scaled(sites[j] - sites[i]) + period.of(shift(face));
+  }
+  /// The face of cell i whose neighbor is that image of `neighbor`; none if there is no such.
+  [[nodiscard]] std::optional<std::size_t> faceTo(std::size_t i, std::int64_t neighbor,
+                                                  const Shift3& by) const;
+  [[nodiscard]] Plane3 wall(std::int64_t neighbor) const;
+  /// The plane of a face of cell i.
+  [[nodiscard]] Plane3 plane(std::size_t i, std::size_t face) const;
+  /// How far p lies beyond the bisector of site i with site j, moved by `by`.
+  [[nodiscard]] double beyond(std::size_t i, std::size_t j, const Point3& p, const Shift3& by = {}) const;
+  /// "site 3" or "site 3 moved by (0, -1, 0)".
+  [[nodiscard]] std::string name(std::int64_t neighbor, const Shift3& by) const;
 
+  /// How much heavier site i is than site j, scaled.
+  [[nodiscard]] double heavier(std::size_t i, std::size_t j) const {
+    return weighted ? (weights[i] - weights[j]) * scale * scale : 0;
+  }
+  /// How far ties, each shorter than 1e-6 of a reach, may move a vertex.
+  [[nodiscard]] double ties() const { return weighted ? weighted_tie_slack : tie_slack; }
   /// How far ties and rounding may move a vertex of cell i.
   [[nodiscard]] double slack(std::size_t i) const;
   [[nodiscard]] bool inDomain(const Point3& p) const {
-    return p.x >= box.xmin && p.x <= box.xmax && p.y >= box.ymin && p.y <= box.ymax && p.z >= box.zmin &&
-           p.z <= box.zmax;
+    return (period.along(0) || (p.x >= box.xmin && p.x <= box.xmax)) &&
+           (period.along(1) || (p.y >= box.ymin && p.y <= box.ymax)) &&
+           (period.along(2) || (p.z >= box.zmin && p.z <= box.zmax));
   }
+  /// A place of the domain, by its parts of it along each axis or vector.
+  [[nodiscard]] Point3 placeAt(const std::array<double, 3>& parts) const;
   /// p in the caller's units, for messages.
   [[nodiscard]] std::string text(const Point3& p) const;
 
   std::span<const Point3> sites;
+  std::span<const double> weights;
+  bool weighted;  ///< the weights are not all equal
   const Diagram3& diagram;
   Detail3 detail;
   int threads;
   double scale;
-  Box3 box;                       ///< the domain, scaled
+  Box3 box;            ///< the domain, scaled; of a lattice, around its vectors
+  SpacePeriod period;  ///< scaled
+  double volume_of_all;
   double shortest_side, largest;  ///< largest: absolute coordinate of the domain
+  double flattest;                ///< the least width of the domain
 };
 
 /// Statuses, owners and the lengths of arrays: what the other checks rely on. Returns whether they can be

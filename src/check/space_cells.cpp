@@ -10,27 +10,57 @@ namespace {
 /// The areas of one face in both of its cells may differ by this part of their surfaces.
 constexpr double area_rounding = 1e-8;
 
+Shift3 opposed(const Shift3& by) { return {-by[0], -by[1], -by[2]}; }
+
+bool isSameRing(std::span<const std::uint32_t> ring, std::span<const std::uint32_t> other) {
+  const auto start = std::ranges::find(other, ring.empty() ? 0 : ring.front());
+  bool same = ring.size() == other.size() && start != other.end();
+  for (std::size_t k = 0; same && k < ring.size(); ++k) {
+    const auto at = static_cast<std::size_t>(start - other.begin()) + other.size() - k;
+    same = ring[k] == other[at % other.size()];
+  }
+  return same;
+}
+
+/// Whether the ring of the neighbor's cell, moved, has the places of that of cell i, in the other order.
+bool isMovedRing(const CheckedSpace& run, std::size_t i, std::span<const std::uint32_t> ring,
+                 std::span<const std::uint32_t> other, const Shift3& by) {
+  if (ring.size() != other.size()) return false;
+  if (ring.empty()) return true;
+  const Vector3 move = run.period.of(by);
+  const auto apart = [&](std::uint32_t v, std::uint32_t w) {
+    return length(run.vertex(w) + move - run.vertex(v));
+  };
+  // Several vertices may be as near to the first as ties are long.
+  const double slack = run.slack(i);
+  for (std::size_t start = 0; start < other.size(); ++start) {
+    bool same = true;
+    for (std::size_t k = 0; same && k < ring.size(); ++k)
+      same = apart(ring[k], other[(start + other.size() - k) % other.size()]) <= slack;
+    if (same) return true;
+  }
+  return false;
+}
+
 /// What is wrong with the faces of cell i in its neighbors' cells.
 std::string wrongTwinOfFace(const CheckedSpace& run, std::size_t i) {
   for (std::size_t face = run.begin(i); face < run.end(i); ++face) {
     const std::int64_t neighbor = run.diagram.neighbors[face];
     if (neighbor < 0 || static_cast<std::size_t>(neighbor) < i) continue;
     const auto j = static_cast<std::size_t>(neighbor);
-    const auto twin = run.faceTo(j, static_cast<std::int64_t>(i));
-    if (!twin) return fmt::format("site {} has the neighbor {}, which does not have it", i, j);
+    const Shift3 by = run.shift(face);
+    const auto twin = run.faceTo(j, static_cast<std::int64_t>(i), opposed(by));
+    if (!twin)
+      return fmt::format("site {} has the neighbor {}, which does not have it", i, run.name(neighbor, by));
     const double slack = area_rounding * (run.surface(i) + run.surface(j)) + epsilon * run.largest;
     if (!(std::abs(run.area(face) - run.area(*twin)) <= slack)) {
       return fmt::format("the face of sites {} and {} has the areas {} and {}", i, j,
                          run.diagram.face_areas[face], run.diagram.face_areas[*twin]);
     }
     if (!run.polyhedra()) continue;
-    const auto ring = run.ring(face), other = run.ring(*twin);
-    const auto start = std::ranges::find(other, ring.empty() ? 0 : ring.front());
-    bool same = ring.size() == other.size() && start != other.end();
-    for (std::size_t k = 0; same && k < ring.size(); ++k) {
-      const auto at = static_cast<std::size_t>(start - other.begin()) + other.size() - k;
-      same = ring[k] == other[at % other.size()];
-    }
+    // Of sites in different periods, vertices are others at the same place.
+    const bool same = (by == Shift3{} && isSameRing(run.ring(face), run.ring(*twin))) ||
+                      (run.period.repeats() && isMovedRing(run, i, run.ring(face), run.ring(*twin), by));
     if (!same) return fmt::format("the face of sites {} and {} has another ring in each cell", i, j);
   }
   return {};
@@ -41,8 +71,9 @@ std::string missingInLower(const CheckedSpace& run, std::size_t i) {
   for (std::size_t face = run.begin(i); face < run.end(i); ++face) {
     const std::int64_t neighbor = run.diagram.neighbors[face];
     if (neighbor < 0 || static_cast<std::size_t>(neighbor) > i) continue;
-    if (!run.faceTo(static_cast<std::size_t>(neighbor), static_cast<std::int64_t>(i)))
-      return fmt::format("site {} has the neighbor {}, which does not have it", i, neighbor);
+    const Shift3 by = run.shift(face);
+    if (!run.faceTo(static_cast<std::size_t>(neighbor), static_cast<std::int64_t>(i), opposed(by)))
+      return fmt::format("site {} has the neighbor {}, which does not have it", i, run.name(neighbor, by));
   }
   return {};
 }
@@ -54,15 +85,17 @@ std::string wrongFromAreas(const CheckedSpace& run, std::size_t i) {
   double areas = 0, volume = 0, farthest = 0;
   const Point3 site = run.site(i);
   for (std::size_t face = run.begin(i); face < run.end(i); ++face) {
-    const Plane3 plane = run.plane(i, run.diagram.neighbors[face]);
+    const Plane3 plane = run.plane(i, face);
     const double area = run.area(face), height = -plane.beyond(site);
     sum = sum + area * plane.normal;
     areas += area;
     volume += area * height / 3;
     farthest = std::max(farthest, std::abs(height));
   }
-  // Faces that ties removed are as thin as ties.
-  const double surface = std::max(run.surface(i), areas), side = std::sqrt(surface), slack = run.slack(i);
+  // Faces that ties removed are as thin as ties; their sites, which are no neighbors, are as far away as the
+  // cell is wide.
+  const double surface = std::max(run.surface(i), areas), side = std::sqrt(surface),
+               slack = std::max(run.slack(i), tie_slack * side);
   if (!(length(sum) <= 8 * slack * side))
     return fmt::format("the faces of site {} do not close: their areas add up to {} of the surface", i,
                        length(sum) / surface);
@@ -78,12 +111,11 @@ std::string wrongFromAreas(const CheckedSpace& run, std::size_t i) {
 }  // namespace
 
 void checkSpaceMeasures(const CheckedSpace& run, Broken& broken) {
-  const Box3& box = run.box;
-  const double domain = (box.xmax - box.xmin) * (box.ymax - box.ymin) * (box.zmax - box.zmin);
+  const double domain = run.volume_of_all;
   const double sum = volumeSum(run.diagram) * run.scale * run.scale * run.scale;
   constexpr double volume_sum_slack = 1e-12, steps = 4;
   // Positions across a flat domain are rounded as much as along it.
-  const double slack = volume_sum_slack + steps * epsilon * std::max(run.largest, 2.0) / run.shortest_side;
+  const double slack = volume_sum_slack + steps * epsilon * std::max(run.largest, 2.0) / run.flattest;
   if (!(std::abs(sum - domain) <= slack * domain)) {
     const double unit = run.scale * run.scale * run.scale;
     broken.add("volumes", fmt::format("they add up to {}, the domain has {} ({:.1e} of it more)", sum / unit,

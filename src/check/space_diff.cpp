@@ -14,10 +14,12 @@ Result<Cells3Diff> diffCells(const Diagram3& a, const Diagram3& b) {
   }
   const auto cells = static_cast<double>(std::ranges::count(a.status, Status::ok));
   const double slack = cells > 0 ? area_slack_of_mean * volumeSum(a) / cells : 0;
-  const auto neighborsOf = [](const Diagram3& diagram, std::size_t i) {
-    std::vector<std::int64_t> list(
-        diagram.neighbors.begin() + static_cast<std::ptrdiff_t>(diagram.face_offsets[i]),
-        diagram.neighbors.begin() + static_cast<std::ptrdiff_t>(diagram.face_offsets[i + 1]));
+  const bool shifts = !a.neighbor_shifts.empty() && !b.neighbor_shifts.empty();
+  const auto neighborsOf = [shifts](const Diagram3& diagram, std::size_t i) {
+    std::vector<std::pair<std::int64_t, std::array<std::int32_t, 3>>> list;
+    for (std::uint64_t f = diagram.face_offsets[i]; f < diagram.face_offsets[i + 1]; ++f)
+      list.emplace_back(diagram.neighbors[f],
+                        shifts ? diagram.neighbor_shifts[f] : std::array<std::int32_t, 3>{});
     std::ranges::sort(list);
     return list;
   };

@@ -7,6 +7,11 @@
 namespace vorpipe::core::checks {
 namespace {
 
+/// By what site i is moved to be nearest to vertex v: its image that meets in it, if any does.
+Shift3 nearestTo(const CheckedSpace& run, std::size_t v, std::size_t i) {
+  return run.period.repeats() ? run.period.toOrigin(run.site(i) - run.vertex(v)) : Shift3{};
+}
+
 /// How far ties may move a vertex, from the sites and walls that meet in it.
 double slackOfVertex(const CheckedSpace& run, std::size_t v, std::span<const std::int64_t> labels) {
   double reach = 0;
@@ -15,13 +20,14 @@ double slackOfVertex(const CheckedSpace& run, std::size_t v, std::span<const std
     if (label < 0) {
       ++walls;
     } else {
-      reach = std::max(reach, length(run.site(static_cast<std::size_t>(label)) - run.vertex(v)));
+      const auto i = static_cast<std::size_t>(label);
+      reach = std::max(reach, length(run.image(i, nearestTo(run, v, i)) - run.vertex(v)));
     }
   }
   const double far = std::max(run.largest, reach);
-  reach = walls > 1 ? std::max(reach, run.shortest_side) : std::min(reach, run.shortest_side);
+  if (walls > 1) reach = std::max(reach, run.shortest_side);
   constexpr double steps = 64;
-  return tie_slack * reach + steps * epsilon * far;
+  return run.ties() * reach + steps * epsilon * far;
 }
 
 std::span<const std::int64_t> labelsOf(const Diagram3& d, std::size_t v) {
@@ -35,14 +41,17 @@ std::string wrongVertex(const CheckedSpace& run, std::size_t v) {
   const double slack = slackOfVertex(run, v, labels);
   const Point3 p = run.vertex(v);
   std::optional<std::size_t> first;
+  Shift3 by{};  // of the first
   for (const std::int64_t label : labels) {
     double off = 0;
     if (label < 0) {
-      off = run.plane(0, label).beyond(p);
+      off = run.wall(label).beyond(p);
     } else if (!first) {
       first = static_cast<std::size_t>(label);
-    } else {
-      off = run.beyond(*first, static_cast<std::size_t>(label), p);
+      by = nearestTo(run, v, *first);
+    } else if (const auto i = static_cast<std::size_t>(label); i != *first) {
+      const Shift3 to = nearestTo(run, v, i);
+      off = run.beyond(*first, i, p - run.period.of(by), {to[0] - by[0], to[1] - by[1], to[2] - by[2]});
     }
     if (!(std::abs(off) <= slack))
       return fmt::format("vertex {} at {} is {} off the plane of {}", v, run.text(p), off / run.scale, label);
@@ -117,13 +126,15 @@ class Polyhedron {
     const std::size_t step = 1 + vertices_.size() * run_.faces(i_) / most;
     for (std::size_t face = run_.begin(i_); face < run_.end(i_); ++face) {
       const std::int64_t neighbor = run_.diagram.neighbors[face];
-      const Plane3 plane = run_.plane(i_, neighbor);
+      const Plane3 plane = run_.plane(i_, face);
       for (std::size_t k = 0; k < vertices_.size(); k += step) {
         if (plane.beyond(run_.vertex(vertices_[k])) > slack_)
           return fmt::format("vertex {} of site {} lies beyond its face to {}", vertices_[k], i_, neighbor);
       }
       double perimeter = 0;
-      const Vector3 area = areaOf(run_.ring(face), perimeter);
+      const auto ring = run_.ring(face);
+      const Vector3 area = areaOf(ring, perimeter);
+      perimeter += slack_ * static_cast<double>(ring.size());  // as it may be where rounding moved no vertex
       if (!(dot(area, plane.normal) >= -slack_ * perimeter))
         return fmt::format("the face of sites {} and {} turns the wrong way", i_, neighbor);
       if (!(std::abs(length(area) - run_.area(face)) <= slack_ * perimeter)) {
@@ -185,7 +196,7 @@ class Polyhedron {
       const double had = run_.diagram.second_moments[i_][k], squared = run_.scale * run_.scale;
       // In the caller's unit it may be no number that a double holds.
       const double found = second[k] / unit / squared;
-      if ((second[k] != 0 && !std::isnormal(found)) ||
+      if (!std::isnormal(1 / unit / squared) || (second[k] != 0 && !std::isnormal(found)) ||
           std::abs(second[k] - had * unit * squared) <= 2 * slack * reach * reach)
         continue;
       return fmt::format("site {} has the second moment {}, number {}, its vertices {}", i_, had, k, found);

@@ -4,6 +4,7 @@
 #include <functional>
 #include <string>
 
+#include "unit/fixtures/cpu_session.h"
 #include "unit/fixtures/two_boxes.h"
 
 namespace vorpipe {
@@ -113,6 +114,106 @@ TEST(CheckInSpace, KnowsDuplicatesAndSitesOutside) {
   EXPECT_EQ(*check(sites, optionsOfTwoBoxes(), d), std::vector<std::string>());
   d.owner[2] = 1;
   EXPECT_FALSE(check(sites, optionsOfTwoBoxes(), d)->empty());
+}
+
+/// The tests change cells that repeat, and see which promises are broken then.
+class CheckOfPeriods : public testing::Test {
+ protected:
+  void SetUp() override { compute(); }
+  void compute() {
+    cells = test::cpuSession(1).cells(std::span<const Point3>(sites), options).value();
+    EXPECT_EQ(broken(), std::vector<std::string>());
+  }
+  [[nodiscard]] std::vector<std::string> broken() const {
+    std::vector<std::string> names;
+    const auto lines = check(sites, options, cells);
+    for (const std::string& line : lines.value()) names.push_back(line.substr(0, line.find(':')));
+    return names;
+  }
+  void expectBroken(const std::string& promise) {
+    const auto names = broken();
+    EXPECT_TRUE(std::ranges::find(names, promise) != names.end())
+        << testing::PrintToString(names) << " without " << promise;
+    compute();
+  }
+  /// A face with an image.
+  [[nodiscard]] std::size_t moved() const {
+    const auto found = std::ranges::find_if(
+        cells.neighbor_shifts, [](const auto& shift) { return shift != std::array<std::int32_t, 3>{}; });
+    return static_cast<std::size_t>(found - cells.neighbor_shifts.begin());
+  }
+
+  Sites3 sites = generate(Pattern3::random, 40, 12);
+  Cells3Options options{{0, 0, 0, 1, 1, 1}, Detail3::polyhedra, {}, {}, {true, true, true}};
+  Diagram3 cells;
+};
+
+TEST_F(CheckOfPeriods, FindsWrongShifts) {
+  cells.neighbor_shifts.pop_back();
+  expectBroken("arrays");
+  cells.neighbor_shifts.clear();
+  expectBroken("arrays");
+  cells.neighbor_shifts[moved()][0] += 1;
+  expectBroken("symmetry");
+  for (auto& shift : cells.neighbor_shifts) shift = {-shift[0], -shift[1], -shift[2]};
+  expectBroken("neighbors");
+  // In both cells.
+  const std::size_t face = moved();
+  const auto i = static_cast<std::int64_t>(std::ranges::upper_bound(cells.face_offsets, face) -
+                                           cells.face_offsets.begin() - 1);
+  const auto j = static_cast<std::size_t>(cells.neighbors[face]);
+  for (std::uint64_t f = cells.face_offsets[j]; f < cells.face_offsets[j + 1]; ++f) {
+    if (cells.neighbors[f] == i) cells.neighbor_shifts[f][2] -= 1;
+  }
+  cells.neighbor_shifts[face][2] += 1;
+  expectBroken("measures");
+}
+
+TEST_F(CheckOfPeriods, FindsWrongMeasuresAndPlaces) {
+  cells.volume[3] *= 1 + 1e-9;
+  expectBroken("volumes");
+  cells.face_areas[moved()] *= 1.01;
+  expectBroken("symmetry");
+  std::swap(cells.centroid[0], cells.centroid[1]);
+  expectBroken("nearest");
+  // A whole period away, as if the site were there.
+  cells.centroid[5].x += 1;
+  expectBroken("nearest");
+  for (std::uint64_t k = cells.face_vertex_offsets[moved()]; k < cells.face_vertex_offsets[moved() + 1]; ++k)
+    cells.vertices[cells.face_vertices[k]].y += 1e-3;
+  expectBroken("vertices");
+}
+
+TEST_F(CheckOfPeriods, FindsWallsWhereNoneAre) {
+  cells.neighbors[cells.face_offsets[1]] = wall_xmin;
+  expectBroken("neighbors");
+  options.periodic = {false, true, true};
+  compute();
+  EXPECT_TRUE(std::ranges::find(cells.neighbors, std::int64_t{wall_xmin}) != cells.neighbors.end());
+  const auto along_y = std::ranges::find_if(cells.neighbor_shifts, [](const auto& by) { return by[1] != 0; });
+  (*along_y)[0] = 1;
+  expectBroken("neighbors");
+}
+
+TEST_F(CheckOfPeriods, FindsDuplicatesThatAreNone) {
+  sites[7] = {sites[3].x + 2, sites[3].y - 1, sites[3].z};
+  for (double* each : {&sites[3].x, &sites[3].y, &sites[3].z}) *each = 0.25;
+  sites[7] = {2.25, -0.75, 0.25};
+  compute();
+  EXPECT_EQ(cells.owner[7], 3U);
+  cells.owner[7] = 4;
+  expectBroken("owners");
+  cells.owner[7] = 7;
+  expectBroken("owners");
+}
+
+TEST_F(CheckOfPeriods, KnowsLattices) {
+  options.periodic = {};
+  options.lattice = Lattice{{1, 0, 0}, {7, 1, 0}, {0.25, -3, 1}};
+  compute();
+  options.lattice->c.z = 1.001;
+  const auto names = broken();
+  EXPECT_TRUE(std::ranges::find(names, "volumes") != names.end());
 }
 
 TEST(DiffInSpace, CountsWhatDiffers) {
