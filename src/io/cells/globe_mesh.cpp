@@ -200,7 +200,8 @@ class GlobeFaces {
       return endFace(site);
     }
     // The last side is short, or all are long; the first is long.
-    while (count < 3 && (isLong(2) || !isLong(0))) std::ranges::rotate(corners, corners.begin() + 1);
+    while (count < 3 && (isLong(2) || !isLong(0)))
+      std::rotate(corners.begin(), corners.begin() + 1, corners.end());
     const auto [a, b, c] = corners;
     const auto first = middleOf(a, b, middles);
     const auto add = [&](std::uint32_t p, std::uint32_t q, std::uint32_t r) {

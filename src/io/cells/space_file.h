@@ -19,6 +19,9 @@ struct SpaceOutput {
   std::span<const Attribute> attributes{};  ///< each as long as the sites
   Detail3 detail = Detail3::polyhedra;      ///< what the diagram has
   int threads = 0;                          ///< that format text; 0 for all
+  std::span<const double> weights{};        ///< of the sites, or none
+  std::string_view voro_format{};           ///< of a .vol, which checkVoroFormat() took; empty: its usual one
+  const Attribute* names = nullptr;         ///< of sites in a .vol; null: their numbers
 };
 
 /// A kind of file for cells in space.
@@ -30,6 +33,10 @@ struct SpaceFormat {
   bool attributes = false;      ///< whether it contains those of the input
   bool only_polyhedra = false;  ///< whether it leaves out cells that are flat
 };
+
+/// Whether a text is a format of Voro++'s option -c: any text with codes such as %i. The error says what is
+/// wrong with it.
+tl::expected<void, std::string> checkVoroFormat(std::string_view format);
 
 /// The extensions of all kinds, in the order in which messages name them.
 std::vector<std::string_view> spaceExtensions();

@@ -1,8 +1,10 @@
-// Cells in space as meshes: .vtu, .obj and .ply.
+// Cells in space as meshes: .vtu, .obj, .ply and .stl.
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
+#include <string>
 #include <string_view>
 #include <utility>
 #include <vector>
@@ -23,15 +25,6 @@ std::vector<std::uint32_t> polyhedraOf(const Diagram3& diagram) {
     if (isPolyhedron(diagram, i)) sites.push_back(i);
   }
   return sites;
-}
-
-/// Replaces `points` by the vertices of a cell, each once, ascending.
-void takeCorners(const Diagram3& d, std::size_t site, std::vector<std::uint32_t>& points) {
-  points.assign(
-      d.face_vertices.begin() + static_cast<std::ptrdiff_t>(d.face_vertex_offsets[d.face_offsets[site]]),
-      d.face_vertices.begin() + static_cast<std::ptrdiff_t>(d.face_vertex_offsets[d.face_offsets[site + 1]]));
-  std::ranges::sort(points);
-  points.erase(std::unique(points.begin(), points.end()), points.end());
 }
 
 /// Numbers that VTK has for the faces of a cell: how many, and for each its size and corners.
@@ -79,9 +72,11 @@ std::vector<VtkArray> polyhedraArrays(const Diagram3& d, const std::vector<std::
   return arrays;
 }
 
-std::vector<VtkArray> polyhedraData(const Diagram3& d, const std::vector<std::uint32_t>& sites) {
-  const auto numbers = [&](std::string_view name, const std::vector<double>& by_site) {
-    return vtkNumbers<double>(name, sites.size(), [&](std::size_t cell) { return by_site[sites[cell]]; });
+std::vector<VtkArray> polyhedraData(const SpaceOutput& output, const std::vector<std::uint32_t>& sites) {
+  const Diagram3& d = output.diagram;
+  const auto numbers = [&](std::string_view name, std::span<const double> by_site) {
+    return vtkNumbers<double>(name, sites.size(),
+                              [&sites, by_site](std::size_t cell) { return by_site[sites[cell]]; });
   };
   std::vector<VtkArray> data;
   data.push_back(
@@ -95,10 +90,19 @@ std::vector<VtkArray> polyhedraData(const Diagram3& d, const std::vector<std::ui
                                           [&](std::size_t cell) { return d.status[sites[cell]]; }));
   data.push_back(
       vtkPoints("centroid", sites.size(), [&](std::size_t cell) { return d.centroid[sites[cell]]; }));
+  if (!output.weights.empty()) data.push_back(numbers("weight", output.weights));
   return data;
 }
 
 }  // namespace
+
+void takeCorners(const Diagram3& d, std::size_t site, std::vector<std::uint32_t>& points) {
+  points.assign(
+      d.face_vertices.begin() + static_cast<std::ptrdiff_t>(d.face_vertex_offsets[d.face_offsets[site]]),
+      d.face_vertices.begin() + static_cast<std::ptrdiff_t>(d.face_vertex_offsets[d.face_offsets[site + 1]]));
+  std::ranges::sort(points);
+  points.erase(std::unique(points.begin(), points.end()), points.end());
+}
 
 Result<void> writeSpaceVtu(ByteSink& sink, const SpaceOutput& output) {
   const Diagram3& d = output.diagram;
@@ -118,7 +122,7 @@ Result<void> writeSpaceVtu(ByteSink& sink, const SpaceOutput& output) {
              fmt::format("NumberOfPoints=\"{}\" NumberOfCells=\"{}\"", d.vertices.size(), sites.size()),
              {std::move(places),
               {"Cells", polyhedraArrays(d, sites, corners, numbers)},
-              {"CellData", polyhedraData(d, sites)}}});
+              {"CellData", polyhedraData(output, sites)}}});
 }
 
 Result<void> writeSpaceObj(ByteSink& sink, const SpaceOutput& output) {
@@ -148,9 +152,12 @@ Result<void> writeSpacePly(ByteSink& sink, const SpaceOutput& output) {
     return inputError(fmt::format("{}: {} vertices are more than a .ply can count; .vtu can", sink.name(),
                                   d.vertices.size()));
   }
-  // Two cells share a face: that of the lower index writes it, and a cell at a wall its own.
+  // Two cells share a face: that of the lower index writes it, and a cell at a wall or beside an image its
+  // own.
   const auto isOwn = [&](std::size_t site, std::uint64_t face) {
-    return d.neighbors[face] < 0 || static_cast<std::size_t>(d.neighbors[face]) > site;
+    const bool is_image =
+        !d.neighbor_shifts.empty() && d.neighbor_shifts[face] != std::array<std::int32_t, 3>{};
+    return is_image || d.neighbors[face] < 0 || static_cast<std::size_t>(d.neighbors[face]) > site;
   };
   std::uint64_t faces = 0;
   for (std::size_t site = 0; site < d.size(); ++site) {
@@ -177,6 +184,56 @@ Result<void> writeSpacePly(ByteSink& sink, const SpaceOutput& output) {
       appendNumber<order>(bytes, static_cast<std::int32_t>(d.neighbors[face]));
       appendNumber<order>(bytes, d.face_areas[face]);
     }
+  });
+}
+
+namespace {
+
+/// A corner of a triangle; .stl has floats.
+void putCorner(Bytes& bytes, const Point3& p) {
+  for (const double number : {p.x, p.y, p.z})
+    appendNumber<std::endian::little>(bytes, static_cast<float>(number));
+}
+
+/// A normal of unit length; zero for a triangle without an area.
+Point3 unitNormal(const Point3& a, const Point3& b, const Point3& c) {
+  const Point3 u{b.x - a.x, b.y - a.y, b.z - a.z}, v{c.x - a.x, c.y - a.y, c.z - a.z};
+  const Point3 n{u.y * v.z - u.z * v.y, u.z * v.x - u.x * v.z, u.x * v.y - u.y * v.x};
+  const double length = std::hypot(n.x, n.y, n.z);
+  return length > 0 ? Point3{n.x / length, n.y / length, n.z / length} : Point3{0, 0, 0};
+}
+
+}  // namespace
+
+Result<void> writeSpaceStl(ByteSink& sink, const SpaceOutput& output) {
+  const Diagram3& d = output.diagram;
+  const auto ofCells = [&](std::size_t site, const auto& put) {
+    if (!isPolyhedron(d, site)) return;
+    for (auto face = d.face_offsets[site]; face < d.face_offsets[site + 1]; ++face) {
+      const auto ring = ringOf(d, face);
+      for (std::size_t k = 2; k < ring.size(); ++k)
+        put(d.vertices[ring[0]], d.vertices[ring[k - 1]], d.vertices[ring[k]]);
+    }
+  };
+  std::uint64_t triangles = 0;
+  for (std::size_t site = 0; site < d.size(); ++site)
+    ofCells(site, [&](const auto&, const auto&, const auto&) { ++triangles; });
+  if (triangles > std::numeric_limits<std::uint32_t>::max()) {
+    return inputError(
+        fmt::format("{}: {} triangles are more than an .stl can count; .vtu can", sink.name(), triangles));
+  }
+  constexpr std::size_t header_bytes = 80;
+  std::string header = "surfaces of cells in space";  // a binary .stl must not begin with "solid"
+  header.resize(header_bytes, ' ');
+  Bytes head;
+  head.append(header);
+  appendNumber<std::endian::little>(head, static_cast<std::uint32_t>(triangles));
+  VORPIPE_TRY(writeAll(sink, head));
+  return writeEach(sink, d.size(), [&](Bytes& bytes, std::size_t site) {
+    ofCells(site, [&](const Point3& a, const Point3& b, const Point3& c) {
+      for (const Point3& p : {unitNormal(a, b, c), a, b, c}) putCorner(bytes, p);
+      appendNumber<std::endian::little>(bytes, std::uint16_t{0});
+    });
   });
 }
 

@@ -101,7 +101,7 @@ CoordinateKind kindOf(std::span<const std::string> names, std::size_t x, std::si
   return one ? of_x->kind : CoordinateKind::unknown;
 }
 
-/// Finds x, y and possibly a weight; or a single column of WKT. In space finds x, y and z.
+/// Finds x, y, in space z, and possibly a weight; or a single column of WKT.
 Found chosenColumns(std::span<const std::string> names, std::span<const std::string> chosen, Third third) {
   std::vector<std::size_t> found;
   for (const std::string& text : chosen) {
@@ -112,30 +112,29 @@ Found chosenColumns(std::span<const std::string> names, std::span<const std::str
     found.push_back(column);
   }
   CsvColumns columns;
-  if (third == Third::z) {
-    if (found.size() != 3)
-      return problem(0, fmt::format("{} columns are chosen; x, y and z are 3", found.size()));
-    columns.x = found[0];
-    columns.y = found[1];
-    columns.weight = found[2];
-    columns.kind = of_plane;
-    return columns;
-  }
-  if (found.size() == 1) {
+  const bool space = third == Third::z;
+  const std::size_t places = space ? 3 : 2;
+  if (found.size() == 1 && !space) {
     columns.geometry = found[0];
     return columns;
   }
-  if (found.size() > 3)
-    return problem(0, fmt::format("{} columns are chosen; x, y and a weight are 3", found.size()));
+  if (found.size() < places)
+    return problem(0, fmt::format("{} columns are chosen; x, y and z are 3", found.size()));
+  if (found.size() > places + 1) {
+    return problem(0, fmt::format("{} columns are chosen; {} and a weight are {}", found.size(),
+                                  space ? "x, y, z" : "x, y", places + 1));
+  }
   columns.x = found[0];
   columns.y = found[1];
-  columns.kind = kindOf(names, found[0], found[1]);
-  if (found.size() < 3) return columns;
-  columns.weight = found[2];
-  columns.weight_kind = weightNamed(names[found[2]], true).value_or(WeightKind::weight);
+  if (space) columns.z = found[2];
+  columns.kind = space ? of_plane : kindOf(names, found[0], found[1]);
+  if (found.size() == places) return columns;
+  const std::size_t weight = found[places];
+  columns.weight = weight;
+  columns.weight_kind = weightNamed(names[weight], true).value_or(WeightKind::weight);
   if (columns.weight_kind == WeightKind::radius) {
     columns.note =
-        fmt::format("column {} is taken as {}", inQuotes(names[found[2]]), meaningOf(columns.weight_kind));
+        fmt::format("column {} is taken as {}", inQuotes(names[weight]), meaningOf(columns.weight_kind));
   }
   return columns;
 }
@@ -178,7 +177,7 @@ tl::expected<void, ColumnProblem> findPositions(std::span<const std::string> nam
 Found columnsInSpace(std::span<const std::string> names) {
   CsvColumns columns;
   columns.kind = of_plane;
-  for (const auto& [name, column] : {std::pair("x", &columns.x), {"y", &columns.y}, {"z", &columns.weight}}) {
+  for (const auto& [name, column] : {std::pair("x", &columns.x), {"y", &columns.y}, {"z", &columns.z}}) {
     VORPIPE_VAR(found, exactly(names, name));
     if (!found) {
       VORPIPE_LET(other, onlyColumn(names, [&](const std::string& of) { return lowerCase(of) == name; }));
@@ -190,12 +189,6 @@ Found columnsInSpace(std::span<const std::string> names) {
                    fmt::format("the header {} names no column \"{}\"; the first line must name the columns, "
                                "as in \"x,y,z\", or --columns says which they are",
                                headerText(names), name));
-  }
-  for (std::size_t k = 0; k < names.size(); ++k) {
-    if (!weightNamed(names[k], false)) continue;
-    return problem(k, fmt::format("column {} would weigh the sites, and cells in space have no weights; "
-                                  "--columns x,y,z makes it an attribute",
-                                  inQuotes(names[k])));
   }
   return columns;
 }
@@ -237,9 +230,13 @@ tl::expected<double, std::string> weightOf(WeightKind kind, double number, std::
 
 Found namedColumns(std::span<const std::string> names, std::span<const std::string> chosen, Third third) {
   if (!chosen.empty()) return chosenColumns(names, chosen, third);
-  if (third == Third::z) return columnsInSpace(names);
   CsvColumns columns;
-  VORPIPE_TRY(findPositions(names, columns));
+  if (third == Third::z) {
+    VORPIPE_LET(found, columnsInSpace(names));
+    columns = found;
+  } else {
+    VORPIPE_TRY(findPositions(names, columns));
+  }
   VORPIPE_TRY(findWeight(names, columns));
   columns.note = noteOf(names, columns);
   return columns;
@@ -252,7 +249,7 @@ bool anyKnownColumn(std::span<const std::string> names) {
   });
 }
 
-Found unnamedColumns(std::size_t count, bool third_is_number, std::span<const std::string> chosen,
+Found unnamedColumns(std::size_t count, std::size_t numbers, std::span<const std::string> chosen,
                      Third third) {
   const std::vector<std::string> none(count);
   if (!chosen.empty()) return chosenColumns(none, chosen, third);
@@ -260,14 +257,18 @@ Found unnamedColumns(std::size_t count, bool third_is_number, std::span<const st
   columns.x = 0;
   columns.y = 1;
   if (third == Third::z) {
-    if (count < 3 || !third_is_number) return problem(count < 3 ? 0 : 2, "the row has no x, y and z");
-    columns.weight = 2;
+    if (numbers < 3) return problem(count < 3 ? 0 : 2, "the row has no x, y and z");
+    columns.z = 2;
     columns.kind = of_plane;
     columns.note = "there is no header: columns 1, 2 and 3 are taken as x, y and z";
+    if (count != 4 || numbers < 4) return columns;
+    columns.weight = 3;
+    columns.note =
+        "there is no header: columns 1 to 4 are taken as x, y, z and weights; --columns 1,2,3 leaves 4 out";
     return columns;
   }
   columns.note = "there is no header: columns 1 and 2 are taken as x and y";
-  if (count == 3 && third_is_number) {
+  if (count == 3 && numbers == 3) {
     columns.weight = 2;
     columns.note =
         "there is no header: columns 1, 2 and 3 are taken as x, y and weights; --columns 1,2 leaves 3 out";
@@ -301,8 +302,11 @@ Result<std::vector<std::size_t>> numberedColumns(std::span<const std::string> co
     }
     chosen.push_back(*number - 1);
   }
-  if (third == Third::z && chosen.size() != 3)
-    return inputError(fmt::format("{}: the columns of x, y and z are needed, as in 1,2,3", name));
+  if (third == Third::z) {
+    if (chosen.size() == 3 || chosen.size() == 4) return chosen;
+    return inputError(fmt::format(
+        "{}: the columns of x, y, z and perhaps weights are needed, as in 1,2,3 or 1,2,3,4", name));
+  }
   if (chosen.size() == 2 || chosen.size() == 3) return chosen;
   return inputError(fmt::format("{}: two or three columns are needed, as in 1,2 or 1,2,3", name));
 }

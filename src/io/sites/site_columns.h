@@ -35,12 +35,13 @@ tl::expected<double, std::string> weightOf(WeightKind kind, double number, std::
 struct CsvColumns {
   std::optional<std::size_t> x, y;      ///< both or none
   std::optional<std::size_t> geometry;  ///< of WKT; if there is no x and y
-  std::optional<std::size_t> weight;    ///< or z
+  std::optional<std::size_t> z;         ///< in space
+  std::optional<std::size_t> weight;
   WeightKind weight_kind = WeightKind::weight;
   CoordinateKind kind = CoordinateKind::unknown;  ///< as their names imply
   std::string note;                               ///< what was reinterpreted; empty: nothing
   [[nodiscard]] bool has(std::size_t column) const {
-    return x == column || y == column || geometry == column || weight == column;
+    return x == column || y == column || z == column || geometry == column || weight == column;
   }
 };
 
@@ -51,8 +52,8 @@ struct ColumnProblem {
 };
 
 /// Returns the columns that a header names: x and y; else longitude and latitude or easting and northing, or
-/// a column of WKT, by their usual names in any case. In space, x, y and z; a weight is an error. `chosen`
-/// are the columns named by --columns, used instead.
+/// a column of WKT, by their usual names in any case. In space, x, y and z. `chosen` are the columns named by
+/// --columns, used instead.
 tl::expected<CsvColumns, ColumnProblem> namedColumns(std::span<const std::string> names,
                                                      std::span<const std::string> chosen,
                                                      Third third = Third::weight);
@@ -60,9 +61,9 @@ tl::expected<CsvColumns, ColumnProblem> namedColumns(std::span<const std::string
 /// Whether any of the names identifies what its column holds: a coordinate, geometries or a weight.
 bool anyKnownColumn(std::span<const std::string> names);
 
-/// Returns the columns of a table without a header, by their number and whether the third begins with a
+/// Returns the columns of a table without a header, by their number and how many of the first begin with a
 /// number.
-tl::expected<CsvColumns, ColumnProblem> unnamedColumns(std::size_t count, bool third_is_number,
+tl::expected<CsvColumns, ColumnProblem> unnamedColumns(std::size_t count, std::size_t numbers,
                                                        std::span<const std::string> chosen,
                                                        Third third = Third::weight);
 
@@ -70,7 +71,7 @@ tl::expected<CsvColumns, ColumnProblem> unnamedColumns(std::size_t count, bool t
 std::optional<std::pair<std::size_t, std::size_t>> positionsWithoutHeader(
     std::span<const std::string> chosen);
 
-/// Returns the unnamed columns of x, y and possibly weights, or of x, y and z, from 0. Errors (input),
+/// Returns the unnamed columns of x, y, in space z, and possibly weights, from 0. Errors (input),
 /// beginning with `name`: an entry of `columns` is no number from 1 to `count`, or two are the same.
 Result<std::vector<std::size_t>> numberedColumns(std::span<const std::string> columns, std::size_t count,
                                                  std::string_view name, Third third = Third::weight);

@@ -106,7 +106,7 @@ class CsvSites {
     names_.resize(csv_.fields());
     for (std::size_t k = 0; k < names_.size() && header; ++k) names_[k] = text_.of(csv_, k);
     auto columns = header ? namedColumns(names_, options_.columns, options_.third)
-                          : unnamedColumns(names_.size(), isNumber(2), options_.columns, options_.third);
+                          : unnamedColumns(names_.size(), leadingNumbers(), options_.columns, options_.third);
     if (!columns) return csv_.errorAt(columns.error().column, columns.error().what);
     columns_ = std::move(*columns);
     table_.system().kind = columns_.kind;
@@ -123,7 +123,7 @@ class CsvSites {
         needed_ = k;
       }
     }
-    const bool plain = columns_.x && columns_.y && !columns_.weight && !options_.needed;
+    const bool plain = columns_.x && columns_.y && !columns_.z && !columns_.weight && !options_.needed;
     are_pairs_ = plain && names_.size() == 2 && csv_.separator() == ',';
     return header ? Result<void>() : readRow();
   }
@@ -169,6 +169,14 @@ class CsvSites {
     return column < csv_.fields() && numberIn(csv_.field(column)).has_value();
   }
 
+  /// How many of the first four fields are numbers.
+  [[nodiscard]] std::size_t leadingNumbers() const {
+    constexpr std::size_t most = 4;
+    std::size_t count = 0;
+    while (count < most && isNumber(count)) ++count;
+    return count;
+  }
+
   /// A comma may be a decimal comma unless it separates fields.
   [[nodiscard]] tl::expected<Decimal, std::string> numberIn(std::string_view text) const {
     if (csv_.separator() != ',') return parseDecimal(text);
@@ -197,7 +205,7 @@ class CsvSites {
 
   /// The first of the columns that a site needs whose field has no value, if there is one.
   [[nodiscard]] std::optional<std::size_t> missingColumn() const {
-    for (const auto& column : {columns_.x, columns_.y, columns_.geometry, columns_.weight}) {
+    for (const auto& column : {columns_.x, columns_.y, columns_.z, columns_.geometry, columns_.weight}) {
       if (column && isMissingValue(csv_.field(*column))) return column;
     }
     return std::nullopt;
@@ -228,7 +236,9 @@ class CsvSites {
   Result<void> addPoint(std::optional<double> weight) {
     VORPIPE_LET(x, number(*columns_.x));
     VORPIPE_LET(y, number(*columns_.y));
-    return add(std::array{Point{x, y}}, weight, *columns_.x);
+    if (!columns_.z) return add(std::array{Point{x, y}}, weight, *columns_.x);
+    VORPIPE_LET(z, number(*columns_.z));
+    return add(std::array{Point{x, y}}, weight, *columns_.x, z);
   }
 
   Result<void> addGeometry(std::optional<double> weight) {
@@ -251,7 +261,8 @@ class CsvSites {
     return {};
   }
 
-  Result<void> add(std::span<const Point> points, std::optional<double> weight, std::size_t column) {
+  Result<void> add(std::span<const Point> points, std::optional<double> weight, std::size_t column,
+                   std::optional<double> z = {}) {
     if (table_.attributes().kept()) {
       for (const auto& [from, to] : attributes_) {
         if (csv_.field(from).empty()) continue;
@@ -259,7 +270,7 @@ class CsvSites {
       }
     }
     table_.setPlace([&] { return fmt::format("line {}", csv_.line()); });
-    const auto problem = table_.addRow(points, weight);
+    const auto problem = table_.addRow(points, weight, z);
     if (!problem) return {};
     return csv_.errorAt(table_.refusedNeeded() ? needed_ : column, *problem);
   }

@@ -22,13 +22,14 @@ namespace {
 struct Kind {
   std::string_view extension;
   Result<SiteTable> (*read)(InputFile file, const ReadOptions& options);
-  bool table = false;  ///< whether its columns can be chosen
+  bool table = false;     ///< whether its columns can be chosen
+  bool of_space = false;  ///< whether its sites are in space by nature
 };
 
 /// The kind with layers. It is no stream of bytes, and neither are shapefiles.
 constexpr std::string_view geopackage = ".gpkg";
 
-constexpr std::array<Kind, 13> kinds = {{{".csv", readCsvSites, true},
+constexpr std::array<Kind, 19> kinds = {{{".csv", readCsvSites, true},
                                          {".tsv", readTsvSites, true},
                                          {".xyz", readTextSites, true},
                                          {".txt", readTextSites, true},
@@ -40,7 +41,21 @@ constexpr std::array<Kind, 13> kinds = {{{".csv", readCsvSites, true},
                                          {".ndjson", readGeoJsonLines},
                                          {".wkt", readWktSites},
                                          {geopackage, nullptr},
-                                         {shapefile_extension, nullptr}}};
+                                         {shapefile_extension, nullptr},
+                                         {".extxyz", readExtendedXyz, true, true},
+                                         {".dump", readLammpsDump, true, true},
+                                         {".lammpstrj", readLammpsDump, true, true},
+                                         {".data", readLammpsData, true, true},
+                                         {".lmp", readLammpsData, true, true},
+                                         {".voro", readVoroSites, true, true}}};
+
+std::vector<std::string_view> extensionsWhere(bool of_space) {
+  std::vector<std::string_view> extensions;
+  for (const Kind& kind : kinds) {
+    if (kind.of_space == of_space) extensions.push_back(kind.extension);
+  }
+  return extensions;
+}
 
 Result<SiteTable> readByExtension(const std::string& path, InputFile file, const ReadOptions& options) {
   const std::string name = file.name();
@@ -51,6 +66,10 @@ Result<SiteTable> readByExtension(const std::string& path, InputFile file, const
   if (kind == kinds.end()) {
     return inputError(
         fmt::format("{}: unknown kind of file; known are {}", name, fmt::join(sitesExtensions(), ", ")));
+  }
+  if (kind->of_space && options.third != Third::z) {
+    return inputError(
+        fmt::format("{}: a {} has sites in space, where there are `cells` alone", name, extension));
   }
   if (!options.columns.empty() && !kind->table) {
     return inputError(
@@ -68,11 +87,9 @@ Result<SiteTable> readByExtension(const std::string& path, InputFile file, const
 
 }  // namespace
 
-std::vector<std::string_view> sitesExtensions() {
-  std::vector<std::string_view> extensions;
-  for (const Kind& kind : kinds) extensions.push_back(kind.extension);
-  return extensions;
-}
+std::vector<std::string_view> sitesExtensions() { return extensionsWhere(false); }
+
+std::vector<std::string_view> extensionsOfSpace() { return extensionsWhere(true); }
 
 Result<SiteTable> readSites(const std::string& path, const ReadOptions& options) {
   VORPIPE_VAR(file, InputFile::open(path));

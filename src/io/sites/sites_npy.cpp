@@ -1,9 +1,9 @@
 #include <fmt/core.h>
 
-#include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <numeric>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -21,26 +21,28 @@ namespace {
 
 constexpr std::uint64_t most_columns = 1 << 20;
 
-/// `columns` are those of x, y and perhaps weight.
+/// `columns` are those of x, y, in space z, and perhaps weight.
 Result<void> readElements(InputFile& file, const NpyHeader& header, const std::vector<std::size_t>& columns,
-                          std::span<const std::string_view> names, Sites& sites) {
-  // In space z takes the place of weights.
-  const std::array<std::vector<double>*, 3> into = {&sites.x, &sites.y, &sites.weight};
+                          Third third, SiteTable& table) {
+  const auto names = namesOf(third);
+  std::vector<std::vector<double>*> into = {&table.sites.x, &table.sites.y};
+  if (third == Third::z) into.push_back(&table.z);
+  into.push_back(&table.sites.weight);
   const std::uint64_t row_count = header.shape[0], column_count = header.shape[1];
-  // For each column of the file: its index in site_numbers; their count if it is none.
-  std::vector<std::size_t> use(column_count, site_numbers.size());
+  // For each column of the file: its index in names; their count if it is none.
+  std::vector<std::size_t> use(column_count, names.size());
   for (std::size_t k = 0; k < columns.size(); ++k) use[columns[k]] = k;
   // Counts row and column: a division per element costs more than reading it.
   std::uint64_t row = 0, column = 0;
   const auto take = [&](std::uint64_t, auto number) -> Result<void> {
     const auto value = static_cast<double>(number);
     const std::size_t used = use[column];
-    if (used < site_numbers.size() && !std::isfinite(value)) {
+    if (used < names.size() && !std::isfinite(value)) {
       return inputError(
           fmt::format("{}: element [{}, {}] (counted from 0; column {}) is {}, not a finite number",
                       file.name(), row, column, names[used], value));
     }
-    if (used < site_numbers.size()) into[used]->push_back(value);
+    if (used < names.size()) into[used]->push_back(value);
     std::uint64_t& inner = header.fortran_order ? row : column;
     std::uint64_t& outer = header.fortran_order ? column : row;
     if (++inner == (header.fortran_order ? row_count : column_count)) {
@@ -52,28 +54,23 @@ Result<void> readElements(InputFile& file, const NpyHeader& header, const std::v
   return eachNumber(file, header, row_count * column_count, take);
 }
 
-/// The columns of x, y and perhaps weight. Without a choice, the shape determines them.
+/// The columns of x, y, in space z, and perhaps weight. Without a choice, the shape determines them.
 Result<std::vector<std::size_t>> columnsOf(const NpyHeader& header, const ReadOptions& options,
                                            const std::string& name) {
   const auto& shape = header.shape;
   const bool table = areNumbers(header) && shape.size() == 2 && shape[1] <= most_columns;
   if (!options.columns.empty() && table)
     return numberedColumns(options.columns, shape[1], name, options.third);
-  if (options.third == Third::z && !(table && shape[1] == 3)) {
-    return inputError(
-        fmt::format("{}: holds {}; numbers (N, 3), float32, float64 or whole ones, are needed "
-                    "in space{}{}",
-                    name, header.description, table ? ", or --columns" : "",
-                    table && shape[1] == 4 ? " 1,2,3: the fourth would be weights, which cells "
-                                             "in space do not have"
-                                           : ""));
+  const bool space = options.third == Third::z;
+  const std::uint64_t places = space ? 3 : 2;
+  if (!table || (shape[1] != places && shape[1] != places + 1)) {
+    return inputError(fmt::format(
+        "{}: holds {}; numbers (N, {}) or (N, {}), float32, float64 or whole ones, are needed{}{}", name,
+        header.description, places, places + 1, space ? " in space" : "", table ? ", or --columns" : ""));
   }
-  if (!table || (shape[1] != 2 && shape[1] != 3)) {
-    return inputError(
-        fmt::format("{}: holds {}; numbers (N, 2) or (N, 3), float32, float64 or whole ones, are needed{}",
-                    name, header.description, table ? ", or --columns" : ""));
-  }
-  return shape[1] == 2 ? std::vector<std::size_t>{0, 1} : std::vector<std::size_t>{0, 1, 2};
+  std::vector<std::size_t> columns(shape[1]);
+  std::iota(columns.begin(), columns.end(), std::size_t{0});
+  return columns;
 }
 
 }  // namespace
@@ -88,10 +85,9 @@ Result<SiteTable> readNpySites(InputFile file, const ReadOptions& options) {
   const auto room = checkRoom(file.name(), what, header.shape[0] * columns.size() * sizeof(double));
   if (!room) return tl::unexpected(room.error());
   SiteTable table;
-  VORPIPE_TRY(readElements(file, header, columns, namesOf(options.third), table.sites));
-  if (options.third == Third::weight && options.columns.empty() && columns.size() == site_numbers.size()) {
-    table.notes.push_back(fmt::format("{}: {}", file.name(), third_is_weight));
-  }
+  VORPIPE_TRY(readElements(file, header, columns, options.third, table));
+  if (options.columns.empty() && columns.size() == namesOf(options.third).size())
+    table.notes.push_back(fmt::format("{}: {}", file.name(), lastIsWeight(options.third)));
   return table;
 }
 

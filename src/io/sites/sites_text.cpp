@@ -1,7 +1,7 @@
 #include <fmt/core.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
-#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
@@ -12,39 +12,13 @@
 #include "base/try.h"
 #include "base/words.h"
 #include "io/base/error.h"
-#include "io/base/line_reader.h"
 #include "io/base/number.h"
-#include "io/sites/site_columns.h"
+#include "io/sites/simulation_cell.h"
 #include "io/sites/sites_reader.h"
-#include "io/sites/table_builder.h"
+#include "io/sites/text_rows.h"
 
 namespace vorpipe {
 namespace {
-
-/// Fields are separated by blanks or by one comma with blanks around it: "1, ,2" has an empty field. If a
-/// line has both, such as "1,5 2,5", it is unknown which commas are decimal. Returns the column where that
-/// shows, counted from 1.
-std::optional<std::size_t> split(std::string_view line, std::vector<std::string_view>& fields) {
-  fields.clear();
-  const char* const begin = line.data();
-  line = trimmed(line.substr(0, line.find('#')));
-  bool commas = false, blanks = false;
-  while (!line.empty()) {
-    const std::size_t end = std::min(line.find_first_of(" \t,"), line.size());
-    fields.push_back(line.substr(0, end));
-    line.remove_prefix(end);
-    if (line.empty()) break;
-    const auto column = static_cast<std::size_t>(line.data() - begin) + 1;
-    line = trimmed(line);
-    const bool comma = line.starts_with(',');
-    (comma ? commas : blanks) = true;
-    if (commas && blanks) return column;
-    if (!comma) continue;
-    line = trimmed(line.substr(1));
-    if (line.empty()) fields.emplace_back(line);
-  }
-  return std::nullopt;
-}
 
 /// Whether a field is a common spelling of a number that is not finite.
 bool isNotFinite(std::string_view field) {
@@ -52,195 +26,129 @@ bool isNotFinite(std::string_view field) {
   return word == "nan" || word == "inf" || word == "infinity";
 }
 
-/// Also reads the .xyz of chemistry in space: the number of sites, a comment, and lines of an element, x, y,
-/// z and perhaps more.
-class TextSites {
- public:
-  TextSites(LineReader lines, const ReadOptions& options)
-      : lines_(std::move(lines)), options_(options), table_(lines_.name(), options) {}
+/// Whether a row names columns: none of its fields is a number.
+bool isHeader(std::span<const std::string_view> fields) {
+  return fields.size() > 1 && std::ranges::none_of(fields, [](std::string_view field) {
+           return field.empty() || parseNumber(field).has_value() || isNotFinite(field);
+         });
+}
 
-  Result<SiteTable> read() {
-    while (true) {
-      if (expected_ && rows_ == *expected_) {
-        VORPIPE_TRY(noteRest());
-        return table_.finish();
-      }
-      VORPIPE_LET(line, lines_.next());
-      if (!line && expected_) {
-        return inputError(fmt::format("{}: ends after {} of {} sites", lines_.name(), rows_, *expected_));
-      }
-      if (!line) return table_.finish();
-      if (const auto column = split(*line, fields_)) {
-        return lines_.errorAt(*column,
-                              "the row has commas and blanks between its fields, so that nothing tells which "
-                              "commas are decimal; keep one of them, and write 1.5, not 1,5");
-      }
-      if (fields_.empty()) continue;
-      if (beginsFrame()) {
-        VORPIPE_TRY(readComment());
-        continue;
-      }
-      VORPIPE_TRY(readRow(*line));
-      ++rows_;
+/// Takes from the first row of numbers what applies to all.
+Result<void> takeFirst(TextRows& rows) {
+  const ReadOptions& options = rows.options();
+  const std::size_t count = rows.fields().size();
+  if (options.columns.empty()) {
+    const auto names = namesOf(options.third);
+    if (count + 1 < names.size() || count > names.size()) {
+      return rows.lines().errorAt(
+          1, fmt::format("the row has {} field{}; {} or {} is needed, or --columns", count,
+                         count == 1 ? "" : "s", fmt::join(names.first(names.size() - 1), " "),
+                         fmt::join(names, " ")));
     }
-  }
-
- private:
-  /// Whether the first row names columns: none of its fields is a number.
-  [[nodiscard]] bool isHeader() const {
-    return fields_.size() > 1 && std::ranges::none_of(fields_, [](std::string_view field) {
-             return field.empty() || parseNumber(field).has_value() || isNotFinite(field);
-           });
-  }
-
-  /// Whether the first row is a number of sites, which a comment follows.
-  [[nodiscard]] bool beginsFrame() {
-    if (options_.third != Third::z || count_ > 0 || expected_ || fields_.size() != 1) return false;
-    expected_ = wholeNumber<std::uint64_t>(fields_[0]);
-    return expected_.has_value();
-  }
-
-  Result<void> readComment() {
-    VORPIPE_LET(comment, lines_.next());
-    if (comment && comment->find("Lattice=") != std::string_view::npos)
-      table_.note("its lattice is not used: cells in space have no periods");
+    if (count == names.size()) rows.table().note(lastIsWeight(options.third));
+    std::vector<std::size_t> columns;
+    for (std::size_t k = 0; k < count; ++k) columns.push_back(k);
+    rows.takeColumns(std::move(columns), count);
     return {};
   }
-
-  /// Notes that more follows than the sites that were announced.
-  Result<void> noteRest() {
-    while (true) {
-      VORPIPE_LET(line, lines_.next());
-      if (!line) return {};
-      if (trimmed(*line).empty()) continue;
-      table_.note(fmt::format("what follows its first {} sites is not read", *expected_));
-      return {};
-    }
+  VORPIPE_VAR(columns, numberedColumns(options.columns, count, rows.lines().name(), options.third));
+  rows.takeColumns(std::move(columns), count);
+  // Columns left out by number need no note.
+  for (std::size_t k = 0; k < count && options.attributes; ++k) {
+    if (std::ranges::find(rows.columns(), k) == rows.columns().end())
+      rows.takeAttribute(k, fmt::format("column_{}", k + 1));
   }
+  return {};
+}
 
-  /// Takes from the first row of a frame what applies to all.
-  Result<void> readFirstOfFrame() {
-    constexpr std::size_t fewest = 4;
-    if (count_ < fewest || !options_.columns.empty()) {
-      return lines_.errorAt(
-          1, options_.columns.empty()
-                 ? fmt::format("the row has {} fields; an element, x, y and z are needed", count_)
-                 : "of a file of elements and positions no columns are chosen");
-    }
-    columns_ = {1, 2, 3};
-    attributes_.emplace_back(0, table_.attributes().newColumn("element"));
-    for (std::size_t k = fewest; k < count_; ++k)
-      attributes_.emplace_back(k, table_.attributes().newColumn(fmt::format("column_{}", k + 1)));
-    return {};
+/// Takes from the first row of a frame without names of columns what applies to all: an element, x, y, z and
+/// perhaps more.
+Result<void> takeFirstOfFrame(TextRows& rows) {
+  constexpr std::size_t fewest = 4;
+  const std::size_t count = rows.fields().size();
+  const bool chosen = !rows.options().columns.empty();
+  if (count < fewest || chosen) {
+    return rows.lines().errorAt(
+        1, chosen ? "of a file of elements and positions no columns are chosen"
+                  : fmt::format("the row has {} fields; an element, x, y and z are needed", count));
   }
+  rows.takeColumns({1, 2, 3}, count);
+  rows.takeAttribute(0, "element");
+  for (std::size_t k = fewest; k < count; ++k) rows.takeAttribute(k, fmt::format("column_{}", k + 1));
+  return {};
+}
 
-  /// Takes from a header what applies to all rows.
-  Result<void> readHeader() {
-    const std::vector<std::string> names(fields_.begin(), fields_.end());
-    auto columns = namedColumns(names, options_.columns, options_.third);
-    if (!columns) return lines_.errorAt(1, columns.error().what);
-    if (!columns->x) return lines_.errorAt(1, "a column of WKT has blanks of its own, which separate fields");
-    columns_ = {*columns->x, *columns->y};
-    if (columns->weight) columns_.push_back(*columns->weight);
-    weight_kind_ = columns->weight_kind;
-    table_.system().kind = columns->kind;
-    if (!columns->note.empty()) table_.note(columns->note);
-    for (std::size_t k = 0; k < names.size(); ++k) {
-      if (!columns->has(k)) attributes_.emplace_back(k, table_.attributes().newColumn(names[k]));
-    }
-    return {};
+/// Reads what follows the number of sites of an .xyz.
+Result<SiteTable> readFrame(TextRows& rows, std::uint64_t count) {
+  VORPIPE_LET(comment, rows.lines().next());
+  VORPIPE_VAR(frame, readFrameComment(rows.lines(), comment.value_or("")));
+  if (!frame.names.empty()) {
+    VORPIPE_TRY(rows.takeNames(frame.names, frame.names_at));
+  } else if (count > 0) {
+    VORPIPE_LET(there, rows.next());
+    if (!there) return inputError(fmt::format("{}: ends after 0 of {} sites", rows.lines().name(), count));
+    VORPIPE_TRY(takeFirstOfFrame(rows));
+    VORPIPE_TRY(rows.take());
+    --count;
   }
+  VORPIPE_TRY(rows.takeRows(count, frame.names.empty() ? 1 : 0));
+  SiteTable table = rows.finish();
+  table.cell = frame.cell;
+  return table;
+}
 
-  /// Takes from the first row what applies to all.
-  Result<void> readFirst() {
-    count_ = fields_.size();
-    if (expected_) return readFirstOfFrame();
-    const bool space = options_.third == Third::z;
-    if (options_.columns.empty() && space && count_ != space_numbers.size()) {
-      return lines_.errorAt(1, fmt::format("the row has {} field{}; x y z is needed, or --columns", count_,
-                                           count_ == 1 ? "" : "s"));
-    }
-    if (options_.columns.empty()) {
-      if (count_ < 2 || count_ > site_numbers.size()) {
-        return lines_.errorAt(
-            1, fmt::format("the row has {} field{}; x y or x y weight is needed, or --columns", count_,
-                           count_ == 1 ? "" : "s"));
-      }
-      if (count_ == site_numbers.size() && !space) table_.note(third_is_weight);
-      for (std::size_t k = 0; k < count_; ++k) columns_.push_back(k);
-      return {};
-    }
-    VORPIPE_VAR(columns, numberedColumns(options_.columns, count_, lines_.name(), options_.third));
-    columns_ = std::move(columns);
-    // Columns left out by number need no note.
-    for (std::size_t k = 0; k < count_ && options_.attributes; ++k) {
-      if (std::ranges::find(columns_, k) != columns_.end()) continue;
-      attributes_.emplace_back(k, table_.attributes().newColumn(fmt::format("column_{}", k + 1)));
-    }
-    return {};
+Result<SiteTable> readPlain(TextRows& rows) {
+  VORPIPE_LET(there, rows.next());
+  if (!there) return rows.finish();
+  const auto fields = rows.fields();
+  if (rows.options().third == Third::z && fields.size() == 1) {
+    if (const auto count = wholeNumber<std::uint64_t>(fields[0])) return readFrame(rows, *count);
   }
-
-  Result<void> readRow(std::string_view line) {
-    if (count_ == 0 && !expected_ && isHeader()) {
-      count_ = fields_.size();
-      return readHeader();
-    }
-    if (count_ == 0) {
-      VORPIPE_TRY(readFirst());
-    }
-    if (fields_.size() != count_) {
-      return lines_.errorAt(
-          1, fmt::format("the row has {} fields, the rows before it {}", fields_.size(), count_));
-    }
-    std::array<double, site_numbers.size()> value{};
-    for (std::size_t i = 0; i < columns_.size(); ++i) {
-      const std::string_view field = fields_[columns_[i]];
-      const auto number = parseNumber(field);
-      if (!number) {
-        const auto missing =
-            isMissingValue(field) ? table_.addMissingValue(field) : RowProblem(number.error());
-        if (!missing) return {};
-        const auto column = static_cast<std::size_t>(field.data() - line.data()) + 1;
-        return lines_.errorAt(column, fmt::format("{} (column {})", *missing, namesOf(options_.third)[i]));
-      }
-      value[i] = *number;
-    }
-    for (const auto& [from, to] : attributes_) {
-      if (!fields_[from].empty()) table_.attributes().set(to, AttributeType::text, fields_[from]);
-    }
-    std::optional<double> weight;
-    if (columns_.size() == site_numbers.size()) {
-      const auto valid = weightOf(weight_kind_, value[2], fields_[columns_[2]]);
-      if (!valid) return lines_.errorAt(1, fmt::format("{} (column {})", valid.error(), site_numbers[2]));
-      weight = *valid;
-    }
-    table_.setPlace([&] { return fmt::format("line {}", lines_.number()); });
-    if (const auto problem = table_.addRow(std::array{Point{value[0], value[1]}}, weight)) {
-      return lines_.errorAt(1, *problem);
-    }
-    return {};
+  if (isHeader(fields)) {
+    VORPIPE_TRY(rows.takeNames(std::vector<std::string>(fields.begin(), fields.end())));
+  } else {
+    VORPIPE_TRY(takeFirst(rows));
+    VORPIPE_TRY(rows.take());
   }
-
-  LineReader lines_;
-  const ReadOptions& options_;
-  TableBuilder table_;
-  std::vector<std::string_view> fields_;
-  std::size_t count_ = 0;                  ///< of fields in each row; 0 before the first
-  std::optional<std::uint64_t> expected_;  ///< sites, if the file says how many
-  std::uint64_t rows_ = 0;
-  std::vector<std::size_t> columns_;  ///< of x, y and perhaps weight
-  WeightKind weight_kind_ = WeightKind::weight;
-  std::vector<std::pair<std::size_t, std::size_t>>
-      attributes_;  ///< columns of the file and of the attributes
-};
+  while (true) {
+    VORPIPE_LET(more, rows.next());
+    if (!more) return rows.finish();
+    VORPIPE_TRY(rows.take());
+  }
+}
 
 }  // namespace
 
 Result<SiteTable> readTextSites(InputFile file, const ReadOptions& options) {
-  auto table = TextSites(LineReader(std::move(file)), options).read();
-  if (!table) return table;
-  for (Attribute& attribute : table->attributes) attribute.inferType();
-  return table;
+  TextRows rows(std::move(file), options);
+  return readPlain(rows);
+}
+
+Result<SiteTable> readExtendedXyz(InputFile file, const ReadOptions& options) {
+  TextRows rows(std::move(file), options);
+  VORPIPE_LET(there, rows.next());
+  if (!there) return rows.finish();
+  const auto count = rows.fields().size() == 1 ? wholeNumber<std::uint64_t>(rows.fields()[0]) : std::nullopt;
+  if (!count) return rows.lines().errorAt(1, "the first line of an extended xyz is the number of its sites");
+  return readFrame(rows, *count);
+}
+
+Result<SiteTable> readVoroSites(InputFile file, const ReadOptions& options) {
+  TextRows rows(std::move(file), options);
+  VORPIPE_LET(there, rows.next());
+  if (!there) return rows.finish();
+  const std::vector<std::string> names{"id", "x", "y", "z", "radius"};
+  const std::size_t count = rows.fields().size();
+  if (count != names.size() && count + 1 != names.size()) {
+    return rows.lines().errorAt(1, fmt::format("the row has {} field{}; Voro++ reads id x y z, or id x y z r",
+                                               count, count == 1 ? "" : "s"));
+  }
+  VORPIPE_TRY(rows.takeNames(std::span(names).first(count)));
+  while (true) {
+    VORPIPE_TRY(rows.take());
+    VORPIPE_LET(more, rows.next());
+    if (!more) return rows.finish();
+  }
 }
 
 }  // namespace vorpipe

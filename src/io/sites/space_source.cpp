@@ -7,13 +7,18 @@
 #include <array>
 #include <filesystem>
 #include <new>
+#include <system_error>
 #include <utility>
 
 #include "base/try.h"
 #include "base/words.h"
 #include "io/base/error.h"
 #include "io/base/extension.h"
+#include "io/base/line_reader.h"
+#include "io/base/number.h"
 #include "io/base/quoted.h"
+#include "io/base/read_log.h"
+#include "io/sites/simulation_cell.h"
 
 namespace vorpipe {
 namespace {
@@ -32,7 +37,29 @@ constexpr std::array<std::pair<std::string_view, Pattern3>, 10> space_patterns =
     {"a15", Pattern3::a15},
 }};
 constexpr std::size_t in_plane_too = 3;
-constexpr std::array<std::string_view, 5> space_extensions = {".csv", ".tsv", ".npy", ".xyz", ".txt"};
+constexpr std::array<std::string_view, 5> table_extensions = {".csv", ".tsv", ".npy", ".xyz", ".txt"};
+
+/// The extensions of all files that sites in space are read from.
+std::vector<std::string_view> spaceInputs() {
+  std::vector<std::string_view> all(table_extensions.begin(), table_extensions.end());
+  const auto more = extensionsOfSpace();
+  all.insert(all.end(), more.begin(), more.end());
+  return all;
+}
+
+/// Whether a file is an .xyz whose second line is that of an extended one.
+bool beginsExtended(const std::string& path) {
+  std::error_code failed;
+  if (lowerExtension(path) != ".xyz" || !std::filesystem::is_regular_file(path, failed)) return false;
+  const ReadLog::Pause unnoted;
+  auto file = InputFile::open(path);
+  if (!file) return false;  // reading it says what is wrong
+  LineReader lines(std::move(*file));
+  const auto first = lines.next();
+  if (!first || !*first || !wholeNumber<std::uint64_t>(trimmed(**first))) return false;
+  const auto second = lines.next();
+  return second && *second && isExtendedComment(**second);
+}
 
 std::vector<std::string_view> namesFrom(std::size_t first) {
   std::vector<std::string_view> names;
@@ -47,6 +74,17 @@ std::optional<Pattern3> patternIn(std::string_view spec) {
   const auto* const found =
       std::ranges::find(space_patterns, spec.substr(0, colon), &std::pair<std::string_view, Pattern3>::first);
   return found == space_patterns.end() ? std::nullopt : std::optional(found->second);
+}
+
+/// Takes the box of a file's cell, or notes why not.
+void takeCell(const SimulationCell& cell, const std::string& name, SpaceTable& table) {
+  table.box = boxOf(cell);
+  if (!table.box) {
+    table.notes.push_back(name + ": its cell is tilted, and is not used: --lattice names it");
+  } else if (const std::string axes = periodsOf(cell); !axes.empty()) {
+    table.notes.push_back(
+        fmt::format("{}: repeats itself along {}; its cells do so with --domain and --periodic", name, axes));
+  }
 }
 
 Result<SpaceTable> generated(Pattern3 pattern, const std::string& spec, std::uint64_t seed,
@@ -74,7 +112,11 @@ std::vector<std::string_view> spacePatternNames() { return namesFrom(in_plane_to
 bool isOfSpace(std::string_view spec) {
   const auto names = spacePatternNames();
   const std::size_t colon = spec.find(':');
-  return colon != std::string_view::npos && std::ranges::find(names, spec.substr(0, colon)) != names.end();
+  if (colon != std::string_view::npos && std::ranges::find(names, spec.substr(0, colon)) != names.end())
+    return true;
+  const std::string path(spec);
+  const auto files = extensionsOfSpace();
+  return std::ranges::find(files, inputExtension(path)) != files.end() || beginsExtended(path);
 }
 
 std::optional<std::uint64_t> generatedInSpace(std::string_view spec) {
@@ -88,11 +130,11 @@ Result<SpaceTable> readSpaceSites(const std::string& path, const ReadOptions& op
                                 : path == "-"           ? ".csv"
                                                         : inputExtension(path);
   const auto known = sitesExtensions();
-  if (std::ranges::find(space_extensions, extension) == space_extensions.end() &&
+  const auto inputs = spaceInputs();
+  if (std::ranges::find(inputs, extension) == inputs.end() &&
       std::ranges::find(known, extension) != known.end()) {
     return inputError(fmt::format("{}: a {} has sites in the plane; sites in space are read from {}",
-                                  path == "-" ? "<stdin>" : path, extension,
-                                  fmt::join(space_extensions, ", ")));
+                                  path == "-" ? "<stdin>" : path, extension, fmt::join(inputs, ", ")));
   }
   ReadOptions in_space = options;
   in_space.third = Third::z;
@@ -100,10 +142,12 @@ Result<SpaceTable> readSpaceSites(const std::string& path, const ReadOptions& op
   SpaceTable table;
   table.attributes = std::move(read.attributes);
   table.notes = std::move(read.notes);
+  table.weights = std::move(read.sites.weight);
+  if (read.cell) takeCell(*read.cell, path == "-" ? "<stdin>" : path, table);
   try {
     table.sites.reserve(read.sites.size());
     for (std::size_t i = 0; i < read.sites.size(); ++i)
-      table.sites.push_back({read.sites.x[i], read.sites.y[i], read.sites.weight[i]});
+      table.sites.push_back({read.sites.x[i], read.sites.y[i], read.z[i]});
   } catch (const std::bad_alloc&) {
     return deviceError(path + ": there is not enough memory for its sites");
   }

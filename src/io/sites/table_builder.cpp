@@ -162,10 +162,12 @@ void TableBuilder::leaveOutRows() {
   table_.skipped += rows_;
   rows_ = 0;
   table_.sites = {};
+  table_.z = {};
   attributes_.clearRows();
 }
 
-RowProblem TableBuilder::addRow(std::span<const Point> points, std::optional<double> weight) {
+RowProblem TableBuilder::addRow(std::span<const Point> points, std::optional<double> weight,
+                                std::optional<double> z) {
   Sites& sites = table_.sites;
   if (sites.size() + points.size() > max_sites)
     return fmt::format("the file holds more than {} sites", max_sites);
@@ -187,6 +189,7 @@ RowProblem TableBuilder::addRow(std::span<const Point> points, std::optional<dou
   }
   for (const Point& point : points) {
     if (weight) sites.weight.push_back(*weight);
+    if (z) table_.z.push_back(*z);
     sites.x.push_back(point.x);
     sites.y.push_back(point.y);
   }
@@ -213,9 +216,9 @@ SiteTable TableBuilder::finish() {
   if (const auto what = settleDegrees(table_.sites, table_.system); !what.empty()) note(what);
   if (heights_) note("of positions x and y are taken, and nothing of their other numbers");
   if (table_.skipped > 0) {
-    note(fmt::format("{} row{} without a place{}{} {} left out", table_.skipped,
-                     table_.skipped == 1 ? "" : "s", third_ == Third::z ? "" : " or a weight",
-                     needed_ ? " or " + inQuotes(needed_->name) : "", table_.skipped == 1 ? "is" : "are"));
+    note(fmt::format("{} row{} without a place or a weight{} {} left out", table_.skipped,
+                     table_.skipped == 1 ? "" : "s", needed_ ? " or " + inQuotes(needed_->name) : "",
+                     table_.skipped == 1 ? "is" : "are"));
   }
   if (!attributes_.kept() && attributes_.size() > 0) note("not used: " + listed(attributes_));
   table_.attributes = attributes_.take();

@@ -92,7 +92,6 @@ class TableBuilder {
   TableBuilder(std::string name, const ReadOptions& options)
       : name_(std::move(name)),
         skip_missing_(options.skip_missing),
-        third_(options.third),
         needed_(options.needed),
         attributes_(options.attributes) {}
 
@@ -101,9 +100,10 @@ class TableBuilder {
   CoordinateSystem& system() { return table_.system; }
   [[nodiscard]] const std::string& name() const { return name_; }
 
-  /// Ends a row: each point is a site, with the row's weight and attributes. A row must have a weight if
-  /// those before have one, and the needed attribute once a row had it.
-  RowProblem addRow(std::span<const Point> points, std::optional<double> weight);
+  /// Ends a row: each point is a site, with the row's weight and attributes, in space with z. A row must have
+  /// a weight if those before have one, and the needed attribute once a row had it.
+  RowProblem addRow(std::span<const Point> points, std::optional<double> weight,
+                    std::optional<double> z = {});
 
   /// Sets the place of the row that addRow ends, as `place()` says it in words that follow "that of".
   template <class Place>
@@ -136,7 +136,6 @@ class TableBuilder {
 
   std::string name_;
   bool skip_missing_;
-  Third third_;
   std::optional<NeededAttribute> needed_;
   bool refused_needed_ = false, has_needed_ = false;
   std::string place_;                                      ///< of the row, if values must be unique
