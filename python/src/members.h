@@ -230,17 +230,17 @@ static_assert(has_all_members<Box3>());
 
 template <>
 struct Members<Diagram3> {
-  static constexpr auto all =
-      named(member("status", &Diagram3::status), member("owner", &Diagram3::owner),
-            member("volume", &Diagram3::volume), member("surface", &Diagram3::surface),
-            member("centroid", &Diagram3::centroid), member("second_moments", &Diagram3::second_moments),
-            member("face_offsets", &Diagram3::face_offsets), member("neighbors", &Diagram3::neighbors),
-            member("face_areas", &Diagram3::face_areas),
-            member("face_vertex_offsets", &Diagram3::face_vertex_offsets),
-            member("face_vertices", &Diagram3::face_vertices), member("vertices", &Diagram3::vertices),
-            member("vertex_site_offsets", &Diagram3::vertex_site_offsets),
-            member("vertex_sites", &Diagram3::vertex_sites), member("flat", &Diagram3::flat),
-            member("report", &Diagram3::report));
+  static constexpr auto all = named(
+      member("status", &Diagram3::status), member("owner", &Diagram3::owner),
+      member("volume", &Diagram3::volume), member("surface", &Diagram3::surface),
+      member("centroid", &Diagram3::centroid), member("second_moments", &Diagram3::second_moments),
+      member("face_offsets", &Diagram3::face_offsets), member("neighbors", &Diagram3::neighbors),
+      member("face_areas", &Diagram3::face_areas), member("neighbor_shifts", &Diagram3::neighbor_shifts),
+      member("face_vertex_offsets", &Diagram3::face_vertex_offsets),
+      member("face_vertices", &Diagram3::face_vertices), member("vertices", &Diagram3::vertices),
+      member("vertex_site_offsets", &Diagram3::vertex_site_offsets),
+      member("vertex_sites", &Diagram3::vertex_sites), member("flat", &Diagram3::flat),
+      member("report", &Diagram3::report));
 };
 static_assert(has_all_members<Diagram3>());
 
@@ -248,8 +248,9 @@ template <>
 struct Members<SpaceSites> {
   static constexpr auto all =
       named(member("name", &SpaceSites::name), member("sites", &SpaceSites::sites),
-            member("attributes", &SpaceSites::attributes), member("generated", &SpaceSites::generated),
-            member("notes", &SpaceSites::notes));
+            member("weights", &SpaceSites::weights), member("attributes", &SpaceSites::attributes),
+            member("generated", &SpaceSites::generated), member("notes", &SpaceSites::notes),
+            member("box", &SpaceSites::box));
 };
 static_assert(has_all_members<SpaceSites>());
 
@@ -257,7 +258,9 @@ template <>
 struct Members<SpaceResult> {
   static constexpr auto all =
       named(member("sites", &SpaceResult::sites), member("domain", &SpaceResult::domain),
-            member("detail", &SpaceResult::detail), member("diagram", &SpaceResult::diagram));
+            member("detail", &SpaceResult::detail), member("diagram", &SpaceResult::diagram),
+            member("weights", &SpaceResult::weights), member("periodic", &SpaceResult::periodic),
+            member("lattice", &SpaceResult::lattice));
 };
 static_assert(has_all_members<SpaceResult>());
 

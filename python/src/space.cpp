@@ -17,6 +17,16 @@
 #include "watch.h"
 
 namespace vorpipe::python {
+
+Cells3Options SpaceResult::options() const {
+  Cells3Options options{domain, detail, {}, weights};
+  const auto has = [this](char axis) { return periodic.find(axis) != std::string::npos; };
+  options.periodic = {has('x'), has('y'), has('z')};
+  if (const auto& v = lattice; !v.empty())
+    options.lattice = Lattice{{v[0], v[1], v[2]}, {v[3], v[4], v[5]}, {v[6], v[7], v[8]}};
+  return options;
+}
+
 namespace {
 
 using SharedSites3 = std::shared_ptr<SpaceSites>;
@@ -24,24 +34,31 @@ using SharedCells3 = std::shared_ptr<SpaceResult>;
 using BoxNumbers = std::tuple<double, double, double, double, double, double>;
 /// Of shape (N, 3), without gaps.
 using Positions = py::array_t<double, py::array::c_style>;
+/// Of shape (N,).
+using Weights = py::array_t<double, py::array::c_style | py::array::forcecast>;
+
+BoxNumbers numbersOfBox(const Box3& box) {
+  return {box.xmin, box.ymin, box.zmin, box.xmax, box.ymax, box.zmax};
+}
 
 Box3 boxOfNumbers(const BoxNumbers& numbers) {
   return std::apply([](auto... sides) { return Box3{sides...}; }, numbers);
 }
 
-SharedSites3 sitesFrom(SpaceTable table, std::string name) {
-  auto attributes = std::make_shared<Attributes>();
-  attributes->columns = std::move(table.attributes);
+SharedSites3 sitesFrom(SpaceTable table, std::string name, SharedAttributes attributes = nullptr) {
+  if (!attributes) attributes = std::make_shared<const Attributes>(Attributes{std::move(table.attributes)});
   return std::make_shared<SpaceSites>(SpaceSites{std::move(name), std::move(table.sites),
-                                                 std::move(attributes), table.generated,
-                                                 std::move(table.notes)});
+                                                 std::move(table.weights), std::move(attributes),
+                                                 table.generated, std::move(table.notes), table.box});
 }
 
-SharedSites3 sitesOfArray(const Positions& positions) {
+SharedSites3 sitesOfArray(const Positions& positions, const std::optional<BoxNumbers>& box,
+                          const std::shared_ptr<Attributes>& attributes) {
   const auto* const first = reinterpret_cast<const Point3*>(positions.data());
   SpaceTable table;
   table.sites.assign(first, first + positions.shape(0));
-  return sitesFrom(std::move(table), "points");
+  if (box) table.box = boxOfNumbers(*box);
+  return sitesFrom(std::move(table), "points", attributes);
 }
 
 SharedSites3 readSpace(const std::string& spec, std::uint64_t seed, const std::string& format,
@@ -60,10 +77,18 @@ SharedSites3 readSpace(const std::string& spec, std::uint64_t seed, const std::s
 }
 
 SharedCells3 cellsInSpace(SharedSession& session, const SharedSites3& sites,
-                          const std::optional<BoxNumbers>& domain, bool measures,
+                          const std::optional<Weights>& weights, const std::optional<BoxNumbers>& domain,
+                          const std::string& periodic, const std::vector<double>& lattice, bool measures,
                           const py::object& progress) {
   auto result = std::make_shared<SpaceResult>();
   result->sites = sites;
+  result->weights = sites->weights;
+  if (weights && !sites->weights.empty()) raiseInput("weights", sites->name + " has weights of its own");
+  if (weights) result->weights.assign(weights->data(), weights->data() + weights->size());
+  result->periodic = periodic;
+  result->lattice = lattice;
+  if (!periodic.empty() && !domain && !sites->generated)
+    raiseInput("periodic", "name the period by domain: points do not say it");
   result->detail = measures ? Detail3::measures : Detail3::polyhedra;
   session.run(progress, [&result, domain](Session& at, const Progress& heard) -> Result<void> {
     const Sites3& places = result->sites->sites;
@@ -71,8 +96,11 @@ SharedCells3 cellsInSpace(SharedSession& session, const SharedSites3& sites,
       return tl::unexpected(Error{ErrorCode::input, "there are no sites", false, Subject::sites});
     result->domain = domain                     ? boxOfNumbers(*domain)
                      : result->sites->generated ? Box3{0, 0, 0, 1, 1, 1}
+                     : result->sites->box       ? *result->sites->box
                                                 : domainOf(places);
-    VORPIPE_VAR(diagram, at.cells(places, Cells3Options{result->domain, result->detail, heard}));
+    Cells3Options options = result->options();
+    options.progress = heard;
+    VORPIPE_VAR(diagram, at.cells(places, options));
     result->diagram = std::move(diagram);
     return {};
   });
@@ -81,8 +109,7 @@ SharedCells3 cellsInSpace(SharedSession& session, const SharedSites3& sites,
 
 std::vector<std::string> brokenInSpace(const SharedCells3& result, int threads) {
   return valueOf(watched<std::vector<std::string>>(py::none(), [result, threads](Watch&) {
-    return check(result->sites->sites, Cells3Options{result->domain, result->detail, {}}, result->diagram,
-                 threads);
+    return check(result->sites->sites, result->options(), result->diagram, threads);
   }));
 }
 
@@ -91,15 +118,20 @@ Cells3Diff diffInSpace(const SpaceResult& a, const SpaceResult& b) {
   return valueOf(diffCells(a.diagram, b.diagram));
 }
 
-void saveSpace(const SpaceResult& result, const std::string& path) {
+void saveSpace(const SpaceResult& result, const std::string& path, const std::string& voro_format) {
   const SpaceFormat& format = *valueOf(spaceFormatOf(path));
+  if (!voro_format.empty() && format.extension != ".vol")
+    raiseInput("voro_format", fmt::format("{} has no such lines; .vol has", format.extension));
+  if (auto known = checkVoroFormat(voro_format); !voro_format.empty() && !known)
+    raiseInput("voro_format", known.error());
   if (format.detail > result.detail && format.extension != ".npz") {
     raiseInput("detail",
                fmt::format("{} takes cells that were computed with detail='all'; these have 'measures'",
                            format.extension));
   }
-  const SpaceOutput output{result.sites->sites, result.diagram, result.sites->attributes->columns,
-                           result.detail};
+  const SpaceOutput output{
+      result.sites->sites, result.diagram, result.sites->attributes->columns, result.detail, 0,
+      result.weights,      voro_format};
   saveFile(path, {result.sites->name}, [&](ByteSink& sink) { return writeSpaceCells(sink, output, format); });
 }
 
@@ -111,17 +143,24 @@ auto shownOf(std::vector<Row> Diagram3::*rows) {
   };
 }
 
+/// Shows weights, if there are some.
+template <class Owner>
+std::optional<py::array> shownWeights(const std::shared_ptr<Owner>& of) {
+  if (of->weights.empty()) return std::nullopt;
+  return viewOf<double>(of->weights, std::shared_ptr<const Owner>(of));
+}
+
 void defineSpaceCells(py::module_& module) {
   py::class_<SpaceResult, SharedCells3>(module, "SpaceCells", "The arrays of cells in space.")
       .def("__len__", [](const SpaceResult& result) { return result.diagram.size(); })
       .def_property_readonly(
           "sites",
           [](const SpaceResult& result) { return std::const_pointer_cast<SpaceSites>(result.sites); })
-      .def_property_readonly("domain",
-                             [](const SpaceResult& result) {
-                               const Box3& box = result.domain;
-                               return BoxNumbers{box.xmin, box.ymin, box.zmin, box.xmax, box.ymax, box.zmax};
-                             })
+      .def_property_readonly("domain", [](const SpaceResult& result) { return numbersOfBox(result.domain); })
+      .def_property_readonly("weights", &shownWeights<SpaceResult>)
+      .def_property_readonly("periodic", [](const SpaceResult& result) { return result.periodic; })
+      .def_property_readonly("lattice", [](const SpaceResult& result) { return result.lattice; })
+      .def_property_readonly("neighbor_shifts", shownOf<std::int32_t>(&Diagram3::neighbor_shifts))
       .def_property_readonly("measures",
                              [](const SpaceResult& result) { return result.detail == Detail3::measures; })
       .def_property_readonly(
@@ -144,7 +183,7 @@ void defineSpaceCells(py::module_& module) {
       .def_property_readonly("flat", [](const SpaceResult& result) { return result.diagram.flat; })
       .def("volume_sum", [](const SpaceResult& result) { return volumeSum(result.diagram); })
       .def("check", &brokenInSpace, py::arg("threads"))
-      .def("save", &saveSpace, py::arg("path"))
+      .def("save", &saveSpace, py::arg("path"), py::arg("voro_format"))
       .def(pickles<SpaceResult>());
 }
 
@@ -158,11 +197,16 @@ void defineSpace(py::module_& module) {
                              [](const SharedSites3& sites) {
                                return viewOf<double>(sites->sites, std::shared_ptr<const SpaceSites>(sites));
                              })
+      .def_property_readonly("weights", &shownWeights<SpaceSites>)
       .def_property_readonly(
           "attributes",
           [](const SpaceSites& sites) { return std::const_pointer_cast<Attributes>(sites.attributes); })
       .def_readonly("name", &SpaceSites::name)
       .def_readonly("generated", &SpaceSites::generated)
+      .def_property_readonly("box",
+                             [](const SpaceSites& sites) {
+                               return sites.box ? std::optional(numbersOfBox(*sites.box)) : std::nullopt;
+                             })
       .def_readonly("notes", &SpaceSites::notes)
       .def(pickles<SpaceSites>());
   defineSpaceCells(module);
@@ -173,12 +217,13 @@ void defineSpace(py::module_& module) {
       .def_readonly("neighbors", &Cells3Diff::neighbors)
       .def_readonly("volumes", &Cells3Diff::volumes)
       .def_readonly("first", &Cells3Diff::first);
-  module.def("space_sites", &sitesOfArray, py::arg("positions"));
+  module.def("space_sites", &sitesOfArray, py::arg("positions"), py::arg("box"), py::arg("attributes"));
   module.def("read_space", &readSpace, py::arg("spec"), py::arg("seed"), py::arg("format"),
              py::arg("columns"), py::arg("skip_missing"), py::arg("box"));
   module.def("is_of_space", &isOfSpace, py::arg("spec"));
-  module.def("cells_in_space", &cellsInSpace, py::arg("session"), py::arg("sites"), py::arg("domain"),
-             py::arg("measures"), py::arg("progress"));
+  module.def("cells_in_space", &cellsInSpace, py::arg("session"), py::arg("sites"), py::arg("weights"),
+             py::arg("domain"), py::arg("periodic"), py::arg("lattice"), py::arg("measures"),
+             py::arg("progress"));
   module.def("diff_space", &diffInSpace, py::arg("a"), py::arg("b"));
 }
 

@@ -4,6 +4,7 @@
 #include <pybind11/pybind11.h>
 
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -16,9 +17,11 @@ namespace vorpipe::python {
 struct SpaceSites {
   std::string name;  ///< the file, the generator or the argument, as messages have it
   Sites3 sites;
+  std::vector<double> weights;  ///< as many, or none
   SharedAttributes attributes;
   bool generated = false;
   std::vector<std::string> notes{};
+  std::optional<Box3> box{};  ///< that their file names
 };
 
 struct SpaceResult {
@@ -26,6 +29,11 @@ struct SpaceResult {
   Box3 domain;
   Detail3 detail;
   Diagram3 diagram;
+  std::vector<double> weights;    ///< those of the sites, or others
+  std::string periodic{};         ///< axes, as "xz"
+  std::vector<double> lattice{};  ///< nine numbers, or none
+
+  [[nodiscard]] Cells3Options options() const;
 };
 
 void defineSpace(pybind11::module_& module);

@@ -1,4 +1,4 @@
-"""Voronoi (Thiessen, Dirichlet) and power (Laguerre, radical) diagrams of points in the plane, and Voronoi in space.
+"""Voronoi (Thiessen, Dirichlet) and power (Laguerre, radical) diagrams of points in the plane and in space.
 
     diagram = vorpipe.cells(points)
 

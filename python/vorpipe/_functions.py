@@ -20,16 +20,27 @@ def _session(backend: str, device: Device, threads: Optional[int], points: Given
     return Session._around(shared(backend_for(backend, device, len(points.taken), pixels), device, threads), threads)
 
 
+@overload
+def cells(points: SpaceSites, weights: Any = None,  # type: ignore # of all others than these a Diagram
+          domain: Optional[Sequence[float]] = None, *, backend: str = 'auto', device: Device = None,
+          threads: Optional[int] = None, **options: Unpack[CellsOptions]) -> Diagram3: ...
+
+
+@overload
+def cells(points: Any, weights: Any = None, domain: Any = None, *, backend: str = 'auto', device: Device = None,
+          threads: Optional[int] = None, **options: Unpack[CellsOptions]) -> Diagram: ...
+
+
 @taking(CellsOptions, 'periodic', 'density')
 def cells(points: Any, weights: Any = None, domain: Any = None, *, backend: str = 'auto', device: Device = None,
-          threads: Optional[int] = None, **options: Unpack[CellsOptions]) -> Diagram:
+          threads: Optional[int] = None, **options: Unpack[CellsOptions]) -> Union[Diagram, Diagram3]:
     """The cells of points: Voronoi cells (Thiessen polygons), with weights power (Laguerre) cells, in a domain.
 
     Args:
         points: array-like of shape (N, 2), N at least 1, finite. Of shape (N, 3) they are points in space, and the
-            cells are a `Diagram3` in a box (xmin, ymin, zmin, xmax, ymax, zmax): `weights` and what is of planes are
-            not for them; an array of x, y and weight is cells(a[:, :2], a[:, 2]). Or a table whose columns have names, as a
-            DataFrame,
+            cells are a `Diagram3` in a box (xmin, ymin, zmin, xmax, ymax, zmax): what is of planes is not for them; an
+            array of x, y and weight is cells(a[:, :2], a[:, 2]). So are atoms of ASE and structures of pymatgen, and a
+            path of an extended xyz or of LAMMPS: the box is that of their cell, if it is upright. Or a table whose columns have names, as a DataFrame,
             which are known as those of files are; geometries of points, as a GeoDataFrame or a list of shapely's; or
             `Sites`, which `read` made, or a path for it. All other columns are attributes.
         weights: (N,), in squared units of the points: the cell of point i is where |x - p_i|^2 - w_i is least. A
@@ -38,7 +49,8 @@ def cells(points: Any, weights: Any = None, domain: Any = None, *, backend: str 
             to: a path, a polygon of shapely, a GeoDataFrame or what else has a __geo_interface__, GeoJSON, a ring
             (M, 2), a list of rings (a polygon, then its holes), or of such polygons. Polygons that touch or overlap are
             dissolved. None for the box of the points, grown on every side by 5 % of its longer side.
-        periodic: "x", "y" or "xy" (or True): the axes along which the domain repeats itself; it must be named then.
+        periodic: "x", "y" or "xy" (or True): the axes along which the domain repeats itself; it must be named then. In
+            space some of "xyz".
         density: (H, W), mass per unit of area, over the domain, row 0 at the top; or the path of a .png or .npy
             file, which a world file (.pgw, .tfw, .wld) or GDAL's .aux.xml beside it may place. Brings `mass` and
             `mass_centroids`.
@@ -69,6 +81,8 @@ def cells(points: Any, weights: Any = None, domain: Any = None, *, backend: str 
         globe: points are degrees of longitude and latitude, of any turn, and cells are those on the sphere: of the
             whole Earth, or of an outline or a box in degrees. Areas are square kilometers on the ellipsoid, lengths kilometers, weights
             squares of radii in kilometers. Brings `solid_angles`.
+        lattice: of points in space, that repeat by three vectors: (3, 3), a row each; ASE's cell or pymatgen's lattice.
+            There is no domain then. Brings `neighbor_shifts`, as `periodic` does.
 
     Ctrl-C stops it, other threads of Python go on meanwhile.
 

@@ -39,6 +39,7 @@ class CellsOptions(DensityOptions, total=False):
     check: bool
     detail: str
     globe: bool
+    lattice: Any
 
 
 class PictureOptions(RunOptions, total=False):

@@ -94,15 +94,16 @@ def read(path: PathLike, *, columns: Union[None, str, Sequence[Union[str, int]]]
     """The points of a file, with their weights, attributes and coordinate reference system.
 
     Args:
-        path: .csv, .tsv, .geojson, .geojsonl, .gpkg, .wkt, .xyz, .txt or .npy, most of them with .gz as well; "-" for
-            standard input; or a generator, as "random:1000".
+        path: .csv, .tsv, .geojson, .geojsonl, .gpkg, .wkt, .xyz, .txt or .npy, most of them with .gz as well; in space
+            .extxyz, .dump, .lammpstrj, .data, .lmp or .voro; "-" for standard input; or a generator, as "random:1000".
         columns: names, in any case, or numbers from 1, of the columns of x and y, or x, y and weight; or the name of
             a column of WKT. None for what the header says.
         format: the kind of file, as "csv", where the path's extension does not say it.
         missing: "skip" leaves out rows without a place, or with an empty weight; else they are an error.
         layer: of a GeoPackage with several.
         seed: of a generator.
-        dim: 3 for points in space, `SpaceSites`: x, y and z of .csv, .tsv, .npy, .xyz or .txt.
+        dim: 3 for points in space, `SpaceSites`: x, y and z of .csv, .tsv, .npy, .xyz or .txt. Extended xyz, files of
+            LAMMPS and of Voro++ have those alone.
 
     Raises:
         InputError: with the file, line and column of what is wrong.
@@ -110,7 +111,7 @@ def read(path: PathLike, *, columns: Union[None, str, Sequence[Union[str, int]]]
     Warns:
         InputWarning: what was reinterpreted or ignored.
     """
-    if dimension_of(dim, 2) == 3:
+    if dimension_of(dim, 3 if _vorpipe.is_of_space(path_of(path)) else 2) == 3:
         if layer is not None:
             raise refuse('layer', 'points in space are read from tables')
         names, kind = _names_of(columns, missing), (text_or_none('format', format) or '').lstrip('.')

@@ -102,6 +102,8 @@ class Session:
         if in_space is not None:
             cells: Any = cells_in_space(self._session, in_space, weights, domain, options)
             return self._checked(cells, options['check'])
+        if options['lattice'] is not None:
+            raise _scalars.refuse('lattice', 'is of points in space, (N, 3)')
         found, taken = taken_of(points, weights, domain, options)
         made = self._session.cells(taken, _arguments.detail_of(options['detail']),
                                    *_arguments.search_of(options['search']),

@@ -71,6 +71,8 @@ struct vorpipe_input {
   vorpipe::CoordinateSystem density_system{};      ///< of its place
   std::shared_ptr<const std::vector<double>> z{};  ///< of sites in space; null: in the plane
   std::optional<vorpipe::Box3> box3{};             ///< of these
+  std::array<bool, 3> periodic3{};                 ///< of the box
+  std::optional<vorpipe::Lattice> lattice{};       ///< instead of a box
   /// For moved sites: the domain found before, until another one is set.
   std::shared_ptr<const vorpipe::c::PlacedInput> kept;
   mutable std::shared_ptr<const vorpipe::c::PlacedInput> placed;  ///< found when it is first needed
@@ -84,8 +86,15 @@ namespace vorpipe::c {
 /// Cells in space, with what they were made from.
 struct SpaceCells {
   Sites3 sites;
-  Cells3Options options;  ///< without progress
+  std::vector<double> weights;
+  Cells3Options options;  ///< without progress and weights
   Diagram3 diagram;
+
+  [[nodiscard]] Cells3Options whole() const {
+    Cells3Options all = options;
+    all.weights = weights;
+    return all;
+  }
 };
 
 }  // namespace vorpipe::c

@@ -116,7 +116,7 @@ vorpipe_code tellBroken(const Result<std::vector<std::string>>& broken, vorpipe_
 
 /// Returns broken promises of cells, checked in the plane where they were made.
 Result<std::vector<std::string>> checkCells(const vorpipe_diagram& given, int threads) {
-  if (given.space) return check(given.space->sites, given.space->options, given.space->diagram, threads);
+  if (given.space) return check(given.space->sites, given.space->whole(), given.space->diagram, threads);
   const Sites& sites = *given.input->sites;
   if (!given.plane) return check(sites, given.options, given.diagram, threads);
   Diagram diagram = given.diagram;

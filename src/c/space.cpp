@@ -19,7 +19,6 @@ Result<void> refuseWhatIsOfPlane(const vorpipe_input& input) {
   const bool of_plane = !domain.outline.empty() || domain.box || domain.hull || domain.margin ||
                         domain.project || domain.globe || input.periodic != Periodic::none;
   if (of_plane) return inputError("domain: in space it is a box, of vorpipe_input_set_box3");
-  if (!input.sites->weight.empty()) return inputError("weights: cells in space have none");
   if (!input.density.values.empty()) return inputError("density: is of a domain in the plane");
   if (input.surface != Surface::none) return inputError("surface: cells in space fill their domain");
   return {};
@@ -41,10 +40,12 @@ Result<SpaceCells> cellsInSpace(vorpipe_session& session, const vorpipe_input& i
   for (std::size_t i = 0; i < sites.size(); ++i)
     cells.sites.push_back({sites.x[i], sites.y[i], (*input.z)[i]});
   if (cells.sites.empty()) return inputError("sites: there are none");
-  cells.options = {input.box3 ? *input.box3 : domainOf(cells.sites), detail,
-                   progressOf(options.progress, options.progress_user)};
-  VORPIPE_VAR(found, session.session.cells(cells.sites, cells.options));
-  cells.options.progress = nullptr;
+  cells.options = {
+      input.box3 ? *input.box3 : domainOf(cells.sites), detail, {}, {}, input.periodic3, input.lattice};
+  cells.weights = sites.weight;
+  Cells3Options whole = cells.whole();
+  whole.progress = progressOf(options.progress, options.progress_user);
+  VORPIPE_VAR(found, session.session.cells(cells.sites, whole));
   cells.diagram = std::move(found);
   return cells;
 }
@@ -75,6 +76,8 @@ Result<vorpipe_array> arrayInSpace(const SpaceCells& cells, vorpipe_diagram_fiel
       return array(d.surface, VORPIPE_DOUBLE);
     case VORPIPE_FACE_AREA:
       return array(d.face_areas, VORPIPE_DOUBLE);
+    case VORPIPE_FACE_SHIFTS:
+      return array(d.neighbor_shifts, VORPIPE_INT32);
     case VORPIPE_FACE_OFFSETS:
       return array(d.face_vertex_offsets, VORPIPE_UINT64);
     case VORPIPE_FACE_VERTICES:
@@ -96,8 +99,8 @@ Result<void> writeInSpace(ByteSink& to, const vorpipe_diagram& diagram, const st
   if (format->detail > cells.options.detail && format->extension != ".npz")
     return inputError(
         fmt::format("{}: {} needs cells of more detail than these have", to.name(), format->extension));
-  return writeSpaceCells(to, {cells.sites, cells.diagram, *diagram.attributes, cells.options.detail},
-                         *format);
+  return writeSpaceCells(
+      to, {cells.sites, cells.diagram, *diagram.attributes, cells.options.detail, 0, cells.weights}, *format);
 }
 
 }  // namespace vorpipe::c
@@ -111,6 +114,30 @@ vorpipe_code vorpipe_input_set_box3(vorpipe_input* input, double xmin, double ym
   return guarded([&] {
     if (input->z == nullptr) return fail(VORPIPE_INPUT, "box3: the sites have no z");
     input->box3 = Box3{xmin, ymin, zmin, xmax, ymax, zmax};
+    input->lattice.reset();
+    return vorpipe_code{VORPIPE_DONE};
+  });
+}
+
+vorpipe_code vorpipe_input_set_periodic3(vorpipe_input* input, int32_t x, int32_t y, int32_t z) {
+  VORPIPE_NEEDS(input);
+  return guarded([&] {
+    if (!input->box3)
+      return fail(VORPIPE_INPUT, "periodic3: no box has been set whose sides are the period",
+                  Subject::period);
+    input->periodic3 = {x != 0, y != 0, z != 0};
+    return vorpipe_code{VORPIPE_DONE};
+  });
+}
+
+vorpipe_code vorpipe_input_set_lattice(vorpipe_input* input, const double* vectors) {
+  VORPIPE_NEEDS(input, vectors);
+  return guarded([&] {
+    if (input->z == nullptr) return fail(VORPIPE_INPUT, "lattice: the sites have no z");
+    const double* const v = vectors;
+    input->lattice = Lattice{{v[0], v[1], v[2]}, {v[3], v[4], v[5]}, {v[6], v[7], v[8]}};
+    input->box3.reset();
+    input->periodic3 = {};
     return vorpipe_code{VORPIPE_DONE};
   });
 }

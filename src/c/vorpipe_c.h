@@ -163,7 +163,7 @@ typedef struct vorpipe_sites {
   const double* weight; /* NULL: all are equal */
   size_t position_stride;
   size_t weight_stride;
-  const double* z; /* of sites in space, which vorpipe_cells alone takes, without weights; NULL: the plane */
+  const double* z; /* of sites in space, which vorpipe_cells alone takes; NULL: the plane */
 } vorpipe_sites;
 
 typedef int32_t vorpipe_axes;
@@ -243,6 +243,10 @@ VORPIPE_API vorpipe_code vorpipe_input_set_box(vorpipe_input* input, double xmin
 /* The domain of sites in space [their box, grown on every side by 5 % of its longest side]. */
 VORPIPE_API vorpipe_code vorpipe_input_set_box3(vorpipe_input* input, double xmin, double ymin, double zmin,
                                                 double xmax, double ymax, double zmax);
+/* Not 0: that box repeats along the axis, and sites outside are images of sites inside. */
+VORPIPE_API vorpipe_code vorpipe_input_set_periodic3(vorpipe_input* input, int32_t x, int32_t y, int32_t z);
+/* Instead of a box: sites in space repeat by three vectors, 9 numbers. */
+VORPIPE_API vorpipe_code vorpipe_input_set_lattice(vorpipe_input* input, const double* vectors);
 VORPIPE_API vorpipe_code vorpipe_input_set_outline(vorpipe_input* input, const vorpipe_outline* outline);
 VORPIPE_API vorpipe_code vorpipe_input_read_outline(vorpipe_input* input, const char* path);
 VORPIPE_API vorpipe_code vorpipe_input_set_hull(vorpipe_input* input);
@@ -443,7 +447,10 @@ enum {
   VORPIPE_FACE_VERTICES = 33,       /* uint32: vertices around faces, counter-clockwise seen from outside */
   VORPIPE_SPACE_VERTICES = 34,      /* 3 doubles: each vertex once */
   VORPIPE_VERTEX_SITE_OFFSETS = 35, /* by vertex, and one more: uint64 */
-  VORPIPE_VERTEX_SITES = 36         /* int64: the sites and walls that meet in each vertex */
+  VORPIPE_VERTEX_SITES = 36,        /* int64: the sites and walls that meet in each vertex */
+  /* 3 int32: sides of the box, or vectors of the lattice, from the neighbor to its image; of sites that
+   * repeat, whose faces with one neighbor ascend by these */
+  VORPIPE_FACE_SHIFTS = 37
 };
 
 /* Writes an array of the diagram, which it keeps. One that this diagram does not have is empty. */

@@ -154,7 +154,7 @@ Result<void> forecastGenerated(const InputOptions& options, const PlanRun& plan,
   work.sites = *sites;
   work.weighted = hasWeights(options);
   work.outlined = options.domain.hull || !options.domain.file.empty();
-  work.periodic = options.periodic != Periodic::none;
+  work.periodic = options.periodic.any();
   work.globe = options.globe;
   return forecast(options, work, plan, 0, limit, advice).map([](std::uint64_t) {});
 }

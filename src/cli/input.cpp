@@ -19,27 +19,6 @@
 namespace vorpipe::cli {
 namespace {
 
-Result<void> takeWeights(const InputOptions& options, Input& input) {
-  const std::string_view option = options.random_weights ? "--random-weights" : "--weights";
-  if (!options.random_weights && options.weights.empty()) return {};
-  if (!input.sites.weight.empty()) {
-    return inputError(fmt::format("{}: {} has weights of its own", option, options.sites));
-  }
-  if (options.random_weights) {
-    if (!input.seed) {
-      return inputError(fmt::format("{}: is for generators; give {} its weights by --weights or a column",
-                                    option, options.sites));
-    }
-    const auto [low, high] = *options.random_weights;
-    input.sites.weight = randomWeights(low, high, input.sites.size(), *input.seed);
-    return {};
-  }
-  auto weights = readWeights(options.weights, input.sites.size());
-  if (!weights) return named(option, std::move(weights.error()));
-  input.sites.weight = std::move(*weights);
-  return {};
-}
-
 /// Returns the option that sets the weights.
 std::string_view weightsOption(const InputOptions& options) {
   if (options.random_weights) return "--random-weights";
@@ -56,7 +35,7 @@ std::string_view optionOf(Subject subject, const InputOptions& options) {
       return weightsOption(options);
     case Subject::domain:
     case Subject::outline:
-      return "--domain";
+      return options.lattice ? "--lattice" : "--domain";
     case Subject::period:
       return "--periodic";
     case Subject::density:
@@ -103,6 +82,9 @@ Result<void> takeDomain(const InputOptions& options, Input& input, bool of_corne
     return inputError("--domain-layer: is for a GeoPackage that --domain names");
   if (!options.by.empty() && options.domain.file.empty())
     return inputError("--by: is for features of a file that --domain names");
+  if (options.periodic.z) {
+    return inputError("--periodic: z is an axis of space, where there are `cells` alone; name --dim 3");
+  }
   if (options.domain.space) {
     return inputError("--domain: six numbers are a box in space, where there are `cells` alone");
   }
@@ -129,6 +111,28 @@ Result<void> takeDomain(const InputOptions& options, Input& input, bool of_corne
 
 }  // namespace
 
+Result<void> takeWeights(const InputOptions& options, std::size_t sites, Input& input) {
+  std::vector<double>& weights = input.sites.weight;
+  const std::string_view option = options.random_weights ? "--random-weights" : "--weights";
+  if (!options.random_weights && options.weights.empty()) return {};
+  if (!weights.empty()) {
+    return inputError(fmt::format("{}: {} has weights of its own", option, options.sites));
+  }
+  if (options.random_weights) {
+    if (!input.seed) {
+      return inputError(fmt::format("{}: is for generators; give {} its weights by --weights or a column",
+                                    option, options.sites));
+    }
+    const auto [low, high] = *options.random_weights;
+    weights = randomWeights(low, high, sites, *input.seed);
+    return {};
+  }
+  auto read = readWeights(options.weights, sites);
+  if (!read) return named(option, std::move(read.error()));
+  weights = std::move(*read);
+  return {};
+}
+
 Result<Input> loadInput(const InputOptions& options) {
   const Stopwatch watch;
   if (isOfSpace(options.sites)) {
@@ -150,8 +154,8 @@ Result<Input> loadInput(const InputOptions& options) {
   input.notes = std::move(source->table.notes);
   if (source->generator) input.seed = source->generator->seed;
   input.from = source->generator ? SitesFrom::generator : SitesFrom::file;
-  input.periodic = options.periodic;
-  VORPIPE_TRY(takeWeights(options, input));
+  input.periodic = options.periodic.plane;
+  VORPIPE_TRY(takeWeights(options, input.sites.size(), input));
   VORPIPE_TRY(takeDomain(options, input));
   input.read_ms = watch.milliseconds();
   return input;

@@ -26,7 +26,11 @@ struct Input : PlacedSites {
 /// readWeights, readOutline and findDomain, after the option's name.
 Result<Input> loadInput(const InputOptions& options);
 
-/// The same for sites that stay in place: `corners`, sites with the same bounding box, represent them.
+/// Sets input.sites.weight, if options do, to those of `sites` sites. Error (input): they have some already.
+Result<void> takeWeights(const InputOptions& options, std::size_t sites, Input& input);
+
+/// The same as loadInput for sites that stay in place: `corners`, sites with the same bounding box, represent
+/// them.
 Result<Input> inputAround(const InputOptions& options, Sites corners);
 
 /// Returns the options of the cells of an input.

@@ -31,8 +31,7 @@ Result<void> refuseOptionsOfPlane(const CellsCommand& command) {
   const InputOptions& input = command.input;
   const CellsTargets& targets = command.targets;
   const std::string& backend = command.backend.name;
-  constexpr std::string_view no_weights = "cells in space have no weights",
-                             box = "the domain in space is a box";
+  constexpr std::string_view box = "the domain in space is a box";
   const Refused options[] = {
       {input.domain.box.has_value(), "--domain",
        "in space it has six numbers: XMIN,YMIN,ZMIN,XMAX,YMAX,ZMAX"},
@@ -45,14 +44,13 @@ Result<void> refuseOptionsOfPlane(const CellsCommand& command) {
       {input.project.has_value(), "--project", "sites in space are not degrees"},
       {input.crs.has_value(), "--crs", "no file of cells in space names a coordinate system"},
       {!input.reading.layer.empty(), "--layer", "sites in space are read from tables"},
-      {!input.weights.empty(), "--weights", no_weights},
-      {input.random_weights.has_value(), "--random-weights", no_weights},
-      {input.periodic != Periodic::none, "--periodic", "the domain in space does not repeat itself"},
+      {input.lattice && input.domain.space, "--domain", "sites that repeat by --lattice have none"},
+      {input.lattice && input.periodic.any(), "--periodic", "sites repeat by --lattice already"},
+      {input.lattice && input.margin, "--margin", "sites that repeat by --lattice have no domain"},
       {command.surface != Surface::none, "--surface", "cells in space fill their domain"},
       {!command.density.empty(), "--density", "is an image of a domain in the plane"},
       {!targets.edges.empty(), "--edges", "the edges of cells in space are in .vtu, .obj, .ply and .npz"},
       {!targets.triangulation.empty(), "--triangulation", "there is none in space; .npz has vertex_sites"},
-      {!targets.id.empty(), "--id", "sites in space are named by their numbers"},
       {targets.share, "--share", "is a share of areas"},
       {targets.only_cells, "--only-cells", "no file of cells in space has features"},
       {command.search.method != Search::grid, "--search", "cells in space are found on the grid alone"},
@@ -83,7 +81,7 @@ Result<SpaceTargets> targetsOf(const CellsCommand& command) {
   const std::string& kind = command.input.format.output;
   bool standard = false;
   for (const CellsTarget& target : command.targets.cells) {
-    const bool named = target.format != nullptr;  // else it is standard output
+    const bool named = target.path != standard_output;
     if (!named && std::exchange(standard, true))
       return inputError("-o: standard output takes one file, and is named twice");
     const std::string path = named ? target.path : "-." + (kind.empty() ? "csv" : kind);
@@ -98,6 +96,12 @@ Result<SpaceTargets> targetsOf(const CellsCommand& command) {
     const bool measures = command.targets.only_measures && (*format)->extension == ".npz";
     if (!measures) targets.detail = std::max(targets.detail, (*format)->detail);
   }
+  const auto has_lines = [](const SpaceTarget& target) { return target.format->extension == ".vol"; };
+  const bool lines = std::ranges::any_of(targets.files, has_lines);
+  if (!command.targets.voro_format.empty() && !lines)
+    return inputError("--voro-format: there is no file of such lines: -o FILE.vol");
+  if (!command.targets.id.empty() && !lines)
+    return inputError("--id: of files of cells in space a .vol alone names sites");
   if (!kind.empty() && command.input.sites != "-" && !standard)
     return inputError("--format: neither --sites - nor -o - is there to take it");
   if (command.targets.only_measures && targets.detail == Detail3::polyhedra)
@@ -108,14 +112,26 @@ Result<SpaceTargets> targetsOf(const CellsCommand& command) {
   return targets;
 }
 
+/// The options of a run that its input has.
+Cells3Options periodOf(const InputOptions& input, const Box3& domain) {
+  Cells3Options options{};
+  options.domain = input.domain.space.value_or(domain);
+  options.periodic = input.periodic.inSpace();
+  options.lattice = input.lattice;
+  return options;
+}
+
 /// Returns the peak memory in bytes of a run over `sites` sites whose attributes take `attribute_bytes`.
 std::uint64_t peakInSpace(const CellsCommand& command, const SpaceTargets& targets, std::uint64_t sites,
                           std::uint64_t attribute_bytes) {
   Workload work;
   work.sites = sites;
   work.threads = command.backend.threads;
+  work.weighted = command.input.random_weights || !command.input.weights.empty();
+  work.images = imagesInSpace(sites, periodOf(command.input, {0, 0, 0, 1, 1, 1}));
   MemoryPlan plan;
   planSpaceSites(plan, command.input.sites, sites);
+  if (work.weighted) planWeights(plan, command.input.weights, sites);
   planAttributes(plan, attribute_bytes);
   planSession(plan, work);
   planCells(plan, work, targets.detail);
@@ -148,14 +164,29 @@ Result<std::uint64_t> forecastInSpace(const CellsCommand& command, const SpaceTa
                 : ""));
 }
 
+/// The number of sites outside of the domain that have no cell.
+std::uint64_t emptyOutside(const SpaceInput& input, const Diagram3& diagram) {
+  const Box3& box = input.domain;
+  std::uint64_t outside = 0;
+  for (std::size_t i = 0; i < input.sites.size(); ++i) {
+    const Point3& p = input.sites[i];
+    const bool inside = p.x >= box.xmin && p.x <= box.xmax && p.y >= box.ymin && p.y <= box.ymax &&
+                        p.z >= box.zmin && p.z <= box.zmax;
+    outside += diagram.status[i] == Status::empty && !inside ? 1U : 0U;
+  }
+  return outside;
+}
+
 void noteSpaceCells(const CellsCommand& command, const SpaceTargets& targets, const SpaceInput& input,
                     const Diagram3& diagram) {
   if (command.talk.quiet) return;
   const Report& report = diagram.report;
-  if (report.empty > 0) {
-    printNote(fmt::format("{} of {} sites have no cell: they lie outside the domain", report.empty,
-                          input.sites.size()));
-  }
+  const std::uint64_t hidden = report.hidden - std::min(report.hidden, emptyOutside(input, diagram));
+  const auto say = [&](std::uint64_t count, std::string_view why) {
+    if (count > 0) printNote(fmt::format("{} of {} sites have no cell: {}", count, input.sites.size(), why));
+  };
+  say(hidden, "others of larger weight hide them");
+  say(report.empty - hidden, "they lie outside the domain");
   for (const SpaceTarget& target : targets.files) {
     if (diagram.flat == 0 || !target.format->only_polyhedra) continue;
     printNote(fmt::format("{}: {} cells are too thin to have four faces, and are left out", target.path,
@@ -169,8 +200,15 @@ void noteSpaceCells(const CellsCommand& command, const SpaceTargets& targets, co
 /// Writes the files, and prints what was done.
 Result<void> writeSpace(const CellsCommand& command, const SpaceTargets& targets, CommandRun& run,
                         const SpaceInput& input, const Diagram3& diagram) {
-  const SpaceOutput cells{input.sites, diagram, input.common.attributes, targets.detail,
-                          command.backend.threads};
+  VORPIPE_LET(names, namesOf(command.targets, input.common.attributes));
+  const SpaceOutput cells{input.sites,
+                          diagram,
+                          input.common.attributes,
+                          targets.detail,
+                          command.backend.threads,
+                          input.weights(),
+                          command.targets.voro_format,
+                          names};
   SpaceOutput measures = cells;
   measures.detail = Detail3::measures;
   RunOutput output{input.common, diagram.report};
@@ -184,6 +222,12 @@ Result<void> writeSpace(const CellsCommand& command, const SpaceTargets& targets
     json["dimension"] = 3;
     json["sites"] = input.sites.size();
     json["domain"] = {box.xmin, box.ymin, box.zmin, box.xmax, box.ymax, box.zmax};
+    if (const auto& lattice = command.input.lattice) {
+      const auto& [a, b, c] = *lattice;
+      json["domain"] = nullptr;
+      json["lattice"] = {{a.x, a.y, a.z}, {b.x, b.y, b.z}, {c.x, c.y, c.z}};
+    }
+    if (command.input.periodic.any()) json["periodic"] = command.input.periodic.name();
     json["volume_sum"] = volumeSum(diagram);
     json["flat"] = diagram.flat;
   };
@@ -193,7 +237,10 @@ Result<void> writeSpace(const CellsCommand& command, const SpaceTargets& targets
 /// Computes the cells of an input, and writes them.
 Result<ExitCode> computeInSpace(const CellsCommand& command, const SpaceTargets& targets, CommandRun& run,
                                 const SpaceInput& input) {
-  Cells3Options options{input.domain, targets.detail, {}};
+  Cells3Options options = periodOf(command.input, input.domain);
+  options.detail = targets.detail;
+  options.weights = input.weights();
+  VORPIPE_TRY(namesOf(command.targets, input.common.attributes));
   if (auto checked = checkInput(input.sites, options, command.backend.threads); !checked)
     return asOption(std::move(checked.error()), command.input);
   printNotes(command.talk, input.common);
@@ -216,8 +263,9 @@ Result<ExitCode> computeInSpace(const CellsCommand& command, const SpaceTargets&
   }
   VORPIPE_TRY(writeSpace(command, targets, run, input, *diagram));
   const Report& report = diagram->report;
-  run.printSummary(fmt::format("{}{}{} cells in space ({} empty, {} duplicate)", fmt::join(run.paths, ", "),
-                               run.paths.empty() ? "" : ": ", report.ok, report.empty, report.duplicate),
+  run.printSummary(fmt::format("{}{}{} {}cells in space ({} empty, {} duplicate)", fmt::join(run.paths, ", "),
+                               run.paths.empty() ? "" : ": ", report.ok,
+                               input.weights().empty() ? "" : "weighted ", report.empty, report.duplicate),
                    report);
   return exit_done;
 }
@@ -225,7 +273,9 @@ Result<ExitCode> computeInSpace(const CellsCommand& command, const SpaceTargets&
 }  // namespace
 
 bool isInSpace(const InputOptions& input) {
-  return input.space || input.domain.space.has_value() || isOfSpace(input.sites);
+  const bool named = input.sites == "-" && !input.format.input.empty();
+  return input.space || input.lattice || input.domain.space.has_value() ||
+         isOfSpace(named ? "-." + input.format.input : input.sites);
 }
 
 Result<ExitCode> cellsInSpace(const CellsCommand& command, const Invocation& how) {
@@ -236,7 +286,8 @@ Result<ExitCode> cellsInSpace(const CellsCommand& command, const Invocation& how
   VORPIPE_TRY(run.needsOutput("cells.npz", "--stats or --check"));
   VORPIPE_LET(targets, targetsOf(command));
   InputOptions from = command.input;
-  from.reading.attributes = targets.attributes;
+  from.reading.attributes = targets.attributes || !command.targets.id.empty();
+  from.reading.needed = neededFor(command.targets);
   if (const auto count = generatedInSpace(from.sites)) {
     VORPIPE_TRY(forecastInSpace(command, targets, *count));
   }

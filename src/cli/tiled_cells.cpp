@@ -45,7 +45,7 @@ CellsSink sinkOf(Measured& measured, int threads) {
 }  // namespace
 
 bool canBeTiled(const InputOptions& options) {
-  return !options.random_weights && options.weights.empty() && options.periodic == Periodic::none &&
+  return !options.random_weights && options.weights.empty() && !options.periodic.any() &&
          !options.domain.hull && options.domain.file.empty() && !options.project && !options.globe;
 }
 

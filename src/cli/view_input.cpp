@@ -63,7 +63,7 @@ void addDomain(std::vector<std::string>& to, const InputOptions& options) {
     add(to, "--project",
         project->center ? fmt::format("{},{}", project->center->x, project->center->y) : "auto");
   }
-  if (options.periodic != Periodic::none) add(to, "--periodic", std::string(nameOf(options.periodic)));
+  if (options.periodic.any()) add(to, "--periodic", options.periodic.name());
 }
 
 /// Returns command-line options equivalent to these; empty for standard input.

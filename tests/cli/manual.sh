@@ -171,7 +171,7 @@ for shell in bash fish; do
   offers "vorpipe cells --backend " $backend_names
   offers "vorpipe cells --backend vulkan-c" vulkan-compute
   offers "vorpipe cells --backend=vulkan-c" vulkan-compute
-  offers "vorpipe cells --periodic " x xy y
+  offers "vorpipe cells --periodic " x xy xyz xz y yz z
   offers "vorpipe cells --search g" grid
   offers "vorpipe bench th" thesis
   offers "vorpipe cells --disable shader" shaderFloat64

@@ -481,6 +481,36 @@ static void inSpace(vorpipe_session* session) {
   for (k = 0; k < 6; ++k) PROMISE(arrayOf(diagram, of_polyhedra[k]).count == 0);
   REFUSED(VORPIPE_INPUT, "more detail", vorpipe_diagram_save(diagram, "space.obj"));
   vorpipe_diagram_free(diagram);
+  /* Heavier by 1/2, the first has half as much again; by 4, all, and its cell is apart from the other site. */
+  for (k = 0; k < 2; ++k) {
+    const double weights[] = {k == 0 ? 0.5 : 4, 0};
+    DONE(vorpipe_input_set_weights(input, weights, 2));
+    diagram = cellsOf(session, input, VORPIPE_EVERYTHING);
+    DONE(vorpipe_diagram_check(diagram, 0, NULL, NULL));
+    array = arrayOf(diagram, VORPIPE_CELL_VOLUME);
+    PROMISE(fabs(((const double*)array.data)[0] - (k == 0 ? 1.25 : 2)) < 1e-12);
+    array = arrayOf(diagram, VORPIPE_CELL_STATUS);
+    PROMISE(((const uint8_t*)array.data)[1] == (k == 0 ? VORPIPE_OK : VORPIPE_EMPTY));
+    DONE(vorpipe_diagram_save(diagram, "weighed.npz"));
+    vorpipe_diagram_free(diagram);
+  }
+  /* Repeated along x each has two faces with the other; by a lattice of the same vectors as well. */
+  for (k = 0; k < 2; ++k) {
+    const double none[] = {0, 0}, vectors[] = {2, 0, 0, 0, 1, 0, 0, 0, 1};
+    DONE(vorpipe_input_set_weights(input, none, 2));
+    if (k == 0) DONE(vorpipe_input_set_periodic3(input, 1, 0, 0));
+    if (k == 1) DONE(vorpipe_input_set_lattice(input, vectors));
+    diagram = cellsOf(session, input, VORPIPE_EVERYTHING);
+    DONE(vorpipe_diagram_check(diagram, 0, NULL, NULL));
+    PROMISE(fabs(vorpipe_diagram_volume_sum(diagram) - 2) < 1e-12);
+    array = arrayOf(diagram, VORPIPE_FACE_SHIFTS);
+    PROMISE(array.count == 12 && array.type == VORPIPE_INT32);
+    if (k == 0) PROMISE(((const int32_t*)array.data)[3 * 4] == -1 && ((const int32_t*)array.data)[3 * 5] == 0);
+    vorpipe_diagram_free(diagram);
+  }
+  REFUSED(VORPIPE_INPUT, "periodic3", vorpipe_input_set_periodic3(input, 1, 1, 1));
+  REFUSED(VORPIPE_INPUT, "vectors", vorpipe_input_set_lattice(input, NULL));
+  DONE(vorpipe_input_set_box3(input, 0, 0, 0, 2, 1, 1));
   REFUSED(VORPIPE_INPUT, "cells alone", vorpipe_render(session, input, &picture, &drawn));
   REFUSED(VORPIPE_INPUT, "cells alone", vorpipe_input_domain(input, box));
   DONE(vorpipe_input_set_box(input, 0, 0, 1, 1, VORPIPE_PERIODIC_X));
@@ -489,6 +519,7 @@ static void inSpace(vorpipe_session* session) {
   sites.z = NULL;
   DONE(vorpipe_input_create(&sites, &input));
   REFUSED(VORPIPE_INPUT, "no z", vorpipe_input_set_box3(input, 0, 0, 0, 1, 1, 1));
+  REFUSED(VORPIPE_INPUT, "no z", vorpipe_input_set_lattice(input, points));
   diagram = cellsOf(session, input, VORPIPE_MEASURES);
   PROMISE(vorpipe_diagram_dimension(diagram) == 2 && vorpipe_diagram_volume_sum(diagram) == 0);
   REFUSED(VORPIPE_INPUT, "29", vorpipe_diagram_array(diagram, VORPIPE_CELL_VOLUME, &array));

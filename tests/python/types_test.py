@@ -33,6 +33,8 @@ status: vorpipe.Status = cell.status
 picture: vorpipe.Picture = vorpipe.render(np.zeros((1, 2)), size=(10, 10))
 broken: List[str] = vorpipe.check(diagram)
 same: bool = vorpipe.compare(diagram, diagram).agree
+foam: vorpipe.Diagram3 = vorpipe.cells(vorpipe.read("random:10", dim=3), detail="all")
+shapes: npt.NDArray[np.int64] = foam.orders(threshold=0.01) + foam.coordination(by="solid_angle")[:, None]
 ties: int = vorpipe.compare(picture, picture).ties
 sites: vorpipe.Sites = vorpipe.read('random:10', columns=('x', 2), missing='skip')
 map_of: vorpipe.Diagram = vorpipe.cells(sites, domain='hull', margin='10%', project=(10.0, 50.0), crs=4326,

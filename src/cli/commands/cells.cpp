@@ -40,7 +40,7 @@ Result<void> checkCommand(CellsCommand& command, const CommandRun& run) {
   if (is_free && !targets.edges.empty()) {
     return inputError("--edges: cells with a free surface have arcs between them and air; -o has them");
   }
-  if (!targets.triangulation.empty() && (is_free || command.input.periodic != Periodic::none)) {
+  if (!targets.triangulation.empty() && (is_free || command.input.periodic.any())) {
     return inputError(
         fmt::format("--triangulation: there is none {}; --edges has the edges of cells",
                     is_free ? "of cells with a free surface" : "in a domain that repeats itself"));

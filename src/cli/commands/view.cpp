@@ -121,7 +121,7 @@ Result<void> checkFluid(const ViewCommand& command) {
       {"--domain", input.domain.hull || input.domain.box},
       {"--margin", input.margin.has_value()},
       {"--project", input.project.has_value()},
-      {"--periodic", input.periodic != Periodic::none},
+      {"--periodic", input.periodic.any()},
       {"--memory-limit", command.memory_limit.has_value()},
       {"--density", !command.density.empty()},
       {"--relax", command.relax}};

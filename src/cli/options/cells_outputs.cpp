@@ -10,13 +10,32 @@
 #include "cli/options/options.h"
 #include "io/base/error.h"
 #include "io/base/quoted.h"
+#include "io/cells/space_file.h"
 
 namespace vorpipe::cli {
 namespace {
 
 Parsed<CellsTarget> parseCells(std::string_view text) {
   if (text == "-" || text == standard_output) return CellsTarget{std::string(standard_output), nullptr};
-  return parseNamed<CellsTarget>(text, cellsFormatOf);
+  auto target = parseNamed<CellsTarget>(text, cellsFormatOf);
+  if (target) return target;
+  VORPIPE_VAR(path, parseFile(text, ""));
+  if (spaceFormatOf(path)) return CellsTarget{std::move(path), nullptr};
+  return target;
+}
+
+Parsed<std::string> parseVoroFormat(std::string_view text) {
+  VORPIPE_TRY(checkVoroFormat(text));
+  return std::string(text);
+}
+
+/// The extensions of files that cells in space alone have.
+std::vector<std::string_view> extensionsInSpace() {
+  std::vector<std::string_view> extensions;
+  for (const std::string_view extension : spaceExtensions()) {
+    if (!cellsFormatOf("cells" + std::string(extension))) extensions.push_back(extension);
+  }
+  return extensions;
 }
 
 Parsed<EdgesTarget> parseEdges(std::string_view text) { return parseNamed<EdgesTarget>(text, edgesFormatOf); }
@@ -81,7 +100,8 @@ namespace {
 /// Whether a file has the neighbors of a cell as one text.
 bool haveLists(const CellsTargets& targets) {
   return std::ranges::any_of(targets.cells, [](const CellsTarget& target) {
-    return target.format->extension == ".csv" || target.format->extension == ".gpkg";
+    return target.format != nullptr &&
+           (target.format->extension == ".csv" || target.format->extension == ".gpkg");
   });
 }
 
@@ -140,15 +160,17 @@ bool CellsTargets::useStandardOutput() const {
 }
 
 void addCellsTargets(Options& options, CellsTargets& targets) {
-  const auto cells = cellsExtensions(), edges = edgesExtensions();
+  const auto cells = cellsExtensions(), edges = edgesExtensions(), in_space = extensionsInSpace();
+  std::vector<std::string> all(cells.begin(), cells.end());
+  all.insert(all.end(), in_space.begin(), in_space.end());
   addRepeatable(
       options, "-o", "FILE",
       fmt::format(
-          "the cells in input order, by the extension: {}; or - for standard output, as --format says "
-          "[csv]; repeatable",
-          fmt::join(cells, ", ")),
+          "the cells in input order, by the extension: {}; in space also {}; or - for standard output, as "
+          "--format says [csv]; repeatable",
+          fmt::join(cells, ", "), fmt::join(in_space, ", ")),
       parseCells, [&targets](CellsTarget target) { targets.cells.push_back(std::move(target)); },
-      {{}, {cells.begin(), cells.end()}});
+      {{}, std::move(all)});
   addRepeatable(
       options, "--edges", "FILE",
       fmt::format("the edges of all cells as lines, each once, with its two sites and its length: {}; "
@@ -168,6 +190,11 @@ void addCellsTargets(Options& options, CellsTargets& targets) {
             "names sites by this attribute, which is another for each, where they are neighbors, owners and "
             "ends of edges [their numbers]",
             parseAttributeWord, {{"@"}, {}});
+  addParsed(
+      options, "--voro-format", targets.voro_format, "TEXT",
+      "the lines of a .vol in space, as of option -c of Voro++: text with codes such as %i, %q, %v and %n "
+      "[%i %q %v, with weights %i %q %v %r]",
+      parseVoroFormat);
   options.addFlag("--share", targets.share,
                   "adds each cell's share of the area of all, where files have attributes");
   options.addFlag(
@@ -180,8 +207,20 @@ void addCellsTargets(Options& options, CellsTargets& targets) {
       parseDetail, {{"all", "measures"}, {}});
 }
 
+Result<void> refuseFilesOfSpace(const CellsTargets& targets) {
+  for (const CellsTarget& target : targets.cells) {
+    if (target.format == nullptr && target.path != standard_output) {
+      return inputError(fmt::format(
+          "-o: {}: is a file of cells in space, and these are in the plane; --dim 3", target.path));
+    }
+  }
+  if (targets.voro_format.empty()) return {};
+  return inputError("--voro-format: is of files of cells in space, and these are in the plane; --dim 3");
+}
+
 Result<void> takeFormat(CellsTargets& targets, const std::string& kind) {
   bool taken = false;
+  VORPIPE_TRY(refuseFilesOfSpace(targets));
   for (CellsTarget& target : targets.cells) {
     if (target.format != nullptr) continue;
     if (std::exchange(taken, true))

@@ -19,7 +19,8 @@ namespace vorpipe::cli {
 
 struct CellsTarget {
   std::string path;
-  const CellsFormat* format;  ///< null for standard output until takeFormat()
+  /// Null for a file of cells in space alone, and for standard output until takeFormat().
+  const CellsFormat* format;
 };
 
 struct EdgesTarget {
@@ -30,7 +31,8 @@ struct EdgesTarget {
 struct CellsTargets {
   std::vector<CellsTarget> cells;
   std::vector<EdgesTarget> edges, triangulation;
-  std::string id;  ///< attribute that names sites in lists of them; empty: their numbers do
+  std::string id;           ///< attribute that names sites in lists of them; empty: their numbers do
+  std::string voro_format;  ///< of a .vol; empty: the usual one
   bool share = false;
   bool only_cells = false;
   bool only_measures = false;
@@ -54,7 +56,10 @@ std::optional<NeededAttribute> neededFor(const CellsTargets& targets);
 /// Returns the attribute of --id; null without it. Error (input): there is none of that name.
 Result<const Attribute*> namesOf(const CellsTargets& targets, std::span<const Attribute> attributes);
 
-/// -o, --edges, --triangulation, --id, --share, --only-cells, --detail
+/// Error (input): a file, or its format, is of cells in space.
+Result<void> refuseFilesOfSpace(const CellsTargets& targets);
+
+/// -o, --edges, --triangulation, --id, --voro-format, --share, --only-cells, --detail
 void addCellsTargets(Options& options, CellsTargets& targets);
 
 /// Returns a note that GeoJSON has coordinates of a plane without its name, which readers take for degrees;

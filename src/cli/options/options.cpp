@@ -114,9 +114,10 @@ Parsed<std::vector<std::string>> parseColumns(std::string_view text) {
   while (true) {
     const std::size_t end = std::min(rest.find(','), rest.size());
     columns.emplace_back(rest.substr(0, end));
-    if (columns.back().empty() || columns.size() > 3) {
+    if (columns.back().empty() || columns.size() > 4) {
       return tl::unexpected(
-          fmt::format("{} is not X,Y or X,Y,W or one column of WKT", vorpipe::inQuotes(text)));
+          fmt::format("{} is not X,Y or X,Y,W, in space X,Y,Z or X,Y,Z,W, or one column of WKT",
+                      vorpipe::inQuotes(text)));
     }
     if (end == rest.size()) return columns;
     rest.remove_prefix(end + 1);
@@ -131,11 +132,11 @@ Parsed<bool> parseMissing(std::string_view text) {
 /// --columns, --missing, --layer, --format. Attributes are dropped unless the subcommand keeps them.
 void addReadingOptions(Options& options, InputOptions& input, const Option& sites) {
   input.reading.attributes = false;
-  addParsed(
-      options, "--columns", input.reading.columns, "X,Y[,W]",
-      "columns of the file's positions and weights, by name, in any case, or by number from 1; one alone has "
-      "points in WKT [as the header says]",
-      parseColumns)
+  addParsed(options, "--columns", input.reading.columns, "X,Y[,W]",
+            "columns of the file's positions, in space X,Y,Z, and weights, by name, in any case, or by "
+            "number from 1; one alone has "
+            "points in WKT [as the header says]",
+            parseColumns)
       .needs(sites);
   addParsed(options, "--missing", input.reading.skip_missing, "skip",
             "leaves out rows without a place or a weight, and counts them [they are errors]", parseMissing,
@@ -201,6 +202,7 @@ Option addReport(Options& options, const std::string& name, std::string& target,
 
 Choices sitesChoices() {
   Choices choices{{}, strings(sitesExtensions())};
+  for (const std::string_view extension : extensionsOfSpace()) choices.extensions.emplace_back(extension);
   for (const auto& names : {patternNames(), globePatternNames(), spacePatternNames()}) {
     for (const std::string_view pattern : names) choices.words.push_back(fmt::format("{}:", pattern));
   }
@@ -218,26 +220,27 @@ Option addInputOptions(Options& options, InputOptions& input) {
   options.group("Domain");
   addDomainOptions(options, input, sites);
   addParsed(options, "--periodic", input.periodic, anyOf(periodicNames()),
-            "axes along which the domain repeats itself: cells go on at the other side", parsePeriodic,
-            {periodicNames(), {}})
+            "axes along which the domain repeats itself: cells go on at the other side; z with --dim 3",
+            parsePeriodic, {periodicNames(), {}})
       .needs(sites);
   return sites;
 }
 
 Option addDimension(Options& options, InputOptions& input) {
   options.group("Domain");
+  addParsed(options, "--lattice", input.lattice, "A,B,C",
+            "sites in space repeat by three vectors, nine numbers: there is no --domain", parseLattice);
   const auto parse = [](std::string_view text) -> Parsed<bool> {
     if (text == "2" || text == "3") return text == "3";
     return tl::unexpected(fmt::format("{} is neither 2 nor 3", vorpipe::inQuotes(text)));
   };
-  return addParsed(
-      options, "--dim", input.space, "2 or 3",
-      fmt::format(
-          "3: sites are x, y and z, and cells are polyhedra in the box "
-          "XMIN,YMIN,ZMIN,XMAX,YMAX,ZMAX of --domain [3 for six numbers there, and for the generators "
-          "{}:N; random, jitter and clusters take it as well]",
-          fmt::join(spacePatternNames(), ":N, ")),
-      parse, {{"2", "3"}, {}});
+  return addParsed(options, "--dim", input.space, "2 or 3",
+                   fmt::format("3: sites are x, y and z, and cells are polyhedra in the box "
+                               "XMIN,YMIN,ZMIN,XMAX,YMAX,ZMAX of --domain [3 for six numbers there, with "
+                               "--lattice, for extended .xyz and {}, "
+                               "and for the generators {}:N; random, jitter and clusters take it as well]",
+                               fmt::join(extensionsOfSpace(), ", "), fmt::join(spacePatternNames(), ":N, ")),
+                   parse, {{"2", "3"}, {}});
 }
 
 Option addGlobe(Options& options, InputOptions& input) {

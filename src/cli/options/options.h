@@ -86,7 +86,8 @@ struct InputOptions {
   bool repair = false;
   std::string weights;  ///< a file
   std::optional<WeightRange> random_weights;
-  Periodic periodic = Periodic::none;
+  AxesChoice periodic{};
+  std::optional<Lattice> lattice;
   bool globe = false;
   bool space = false;     ///< --dim 3
   ReadOptions reading{};  ///< without its format: standard input has that of `format`
@@ -100,7 +101,7 @@ struct TalkOptions {
 /// --sites and its reading options, --seed, those of addDomainOptions, --weights, --random-weights,
 /// --periodic
 Option addInputOptions(Options& options, InputOptions& input);
-/// --dim
+/// --dim, --lattice
 Option addDimension(Options& options, InputOptions& input);
 /// --globe
 Option addGlobe(Options& options, InputOptions& input);

@@ -58,7 +58,11 @@ std::string anyOf(std::span<const std::string> words) {
   return fmt::format("{} or {}", fmt::join(words.first(words.size() - 1), ", "), words.back());
 }
 
-std::vector<std::string> periodicNames() { return namesFrom(Periodic::x); }
+std::vector<std::string> periodicNames() {
+  auto names = namesFrom(Periodic::x);
+  for (const std::string_view in_space : {"z", "xz", "yz", "xyz"}) names.emplace_back(in_space);
+  return names;
+}
 std::vector<std::string> searchNames() { return namesFrom<Search>(); }
 std::vector<std::string> colorNames() { return namesFrom<ColorBy>(); }
 
@@ -145,7 +149,35 @@ Parsed<DomainChoice> parseDomain(std::string_view text) {
   return DomainChoice{.box = *box};
 }
 
-Parsed<Periodic> parsePeriodic(std::string_view text) { return valueIn(text, Periodic::x); }
+std::string AxesChoice::name() const {
+  return fmt::format("{}{}", plane == Periodic::none ? "" : nameOf(plane), z ? "z" : "");
+}
+
+Parsed<AxesChoice> parsePeriodic(std::string_view text) {
+  std::string letters(text);
+  std::erase(letters, ',');
+  const auto name = oneOf(periodicNames(), letters);
+  if (!name) return bad(oneOf(periodicNames(), text).error());
+  AxesChoice axes;
+  axes.z = letters.ends_with('z');
+  if (axes.z) letters.pop_back();
+  if (!letters.empty()) axes.plane = *valueNamed<Periodic>(letters);
+  return axes;
+}
+
+Parsed<Lattice> parseLattice(std::string_view text) {
+  const auto parts = split(text, ',');
+  std::array<double, 9> values{};
+  if (parts.size() != values.size())
+    return bad(fmt::format("{} is not nine numbers AX,AY,AZ,BX,BY,BZ,CX,CY,CZ", inQuotes(text)));
+  for (std::size_t k = 0; k < values.size(); ++k) {
+    const auto value = parseNumber(parts[k]);
+    if (!value) return bad(fmt::format("number {}: {}", k + 1, value.error()));
+    values[k] = *value;
+  }
+  const auto& v = values;
+  return Lattice{{v[0], v[1], v[2]}, {v[3], v[4], v[5]}, {v[6], v[7], v[8]}};
+}
 
 Parsed<WeightRange> parseWeightRange(std::string_view text) {
   const auto parts = split(text, ',');

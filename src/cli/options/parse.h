@@ -53,8 +53,23 @@ Parsed<Box> parseBox(std::string_view text);
 /// .geojson, .json or .wkt.
 Parsed<DomainChoice> parseDomain(std::string_view text);
 
-/// One of periodicNames().
-Parsed<Periodic> parsePeriodic(std::string_view text);
+/// Axes along which a domain repeats itself: of the plane, and of space.
+struct AxesChoice {
+  Periodic plane = Periodic::none;
+  bool z = false;
+  [[nodiscard]] bool any() const { return z || plane != Periodic::none; }
+  [[nodiscard]] std::array<bool, 3> inSpace() const {
+    return {plane == Periodic::x || plane == Periodic::xy, plane == Periodic::y || plane == Periodic::xy, z};
+  }
+  /// As parsePeriodic reads it.
+  [[nodiscard]] std::string name() const;
+};
+
+/// Some of x, y and z, in this order, with or without commas.
+Parsed<AxesChoice> parsePeriodic(std::string_view text);
+
+/// Nine numbers: the vectors of a lattice.
+Parsed<Lattice> parseLattice(std::string_view text);
 
 struct WeightRange {
   double low = 0, high = 0;
