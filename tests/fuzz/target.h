@@ -57,5 +57,7 @@ void fuzzCommandLine(std::string_view bytes);
 void fuzzLibrary(std::string_view bytes);
 void fuzzCells(std::string_view bytes);
 void fuzzJudge(std::string_view bytes);
+void fuzzSpace(std::string_view bytes);
+void fuzzSpaceSites(std::string_view bytes);
 
 }  // namespace vorpipe::fuzz

@@ -11,7 +11,7 @@ namespace {
 
 constexpr std::size_t small = 512, usual = 4096, large = 16384;
 
-constexpr std::array<Target, 23> all = {{{"csv", fuzzCsv, usual, "text"},
+constexpr std::array<Target, 25> all = {{{"csv", fuzzCsv, usual, "text"},
                                          {"text", fuzzText, usual, "text"},
                                          {"npy", fuzzNpy, usual, "binary"},
                                          {"geojson", fuzzGeoJson, usual, "json"},
@@ -33,7 +33,9 @@ constexpr std::array<Target, 23> all = {{{"csv", fuzzCsv, usual, "text"},
                                          {"command_line", fuzzCommandLine, small, "options"},
                                          {"library", fuzzLibrary, small, ""},
                                          {"cells", fuzzCells, small, ""},
-                                         {"judge", fuzzJudge, small, ""}}};
+                                         {"judge", fuzzJudge, small, ""},
+                                         {"space", fuzzSpace, small, ""},
+                                         {"space_sites", fuzzSpaceSites, usual, "text"}}};
 
 }  // namespace
 
