@@ -13,7 +13,8 @@ namespace vorpipe {
 /// writes to it first waits for them.
 void clearPages(void* memory, std::size_t bytes, int threads);
 
-/// reserve() of a vector that is soon filled up to so many elements.
+/// Reserves memory for `size` elements of a vector, and its pages with clearPages(): for vectors that are
+/// then filled completely.
 template <class Vector>
 void reserveAll(Vector& vector, std::size_t size, int threads) {
   vector.reserve(size);

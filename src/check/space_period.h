@@ -39,7 +39,7 @@ class SpacePeriod {
   [[nodiscard]] double partOfLength(std::size_t r) const;
   /// Which steps of the basis lead from the period around the origin to p.
   [[nodiscard]] Shift3 stepsTo(const Point3& p) const;
-  /// p less so many vectors of the basis, as few digits lost as may be.
+  /// p minus steps[r] times vector r of the basis, for each r; the sum is rounded as little as possible.
   [[nodiscard]] Point3 less(const Point3& p, const Shift3& steps) const;
 
   [[nodiscard]] double volume() const;

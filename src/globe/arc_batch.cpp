@@ -139,7 +139,8 @@ void ArcBatch::add(const Direction& apex, std::span<const Direction> vertices, b
   }
 }
 
-// Loops are over all the room: a number of steps that the compiler knows leaves no rest.
+// Loops run over the whole capacity, used or not: with a trip count that the compiler knows it makes vectors
+// of all steps, and no scalar loop for a remainder.
 
 FOR_WIDE_TOO void ArcBatch::findAngles() {
   for (std::size_t k = 0; k < room; ++k) {

@@ -30,7 +30,8 @@ class ArcBatch {
 
   [[nodiscard]] std::size_t size() const { return size_; }
   void clear() { size_ = 0; }
-  /// Adds the border of a cell whose apex is its site; there is room for it.
+  /// Adds the border of a cell: `vertices` in order, seen from `apex`, the cell's site. The batch must have
+  /// room for it.
   void add(const Direction& apex, std::span<const Direction> vertices, bool is_small);
 
   void measure();

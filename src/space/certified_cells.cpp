@@ -52,8 +52,8 @@ class RecordEnd {
     std::vector<double> of_face;
   };
 
-  /// Measures those cells that are not. Returns the areas of those that got a row of another size since room
-  /// was made for them.
+  /// Measures the cells that the check left unmeasured. Returns the areas of faces of those whose row has
+  /// another number of faces than when face_offsets were laid out: they do not fit there.
   std::vector<Areas> measure() {
     const auto& which = cells_.unmeasured;
     std::vector<Areas> without_room;
@@ -77,7 +77,8 @@ class RecordEnd {
     return without_room;
   }
 
-  /// A cell that has not room for its faces: some vanished, or it got a row of another size.
+  /// A cell whose range in face_offsets does not fit: ties removed some of its faces, or its row was replaced
+  /// by one with another number of faces.
   struct Changed {
     std::uint32_t input, site;
     std::uint64_t faces;  ///< that remain
@@ -102,7 +103,7 @@ class RecordEnd {
 
   using Offsets = std::vector<std::uint64_t>;
 
-  /// Gives each cell room for the faces that remain.
+  /// Lays face_offsets out anew, for the faces of each cell that remain. `before` are the old offsets.
   void makeRoom(std::span<const Changed> changed, const Offsets& before) {
     if (changed.empty()) return;
     std::uint64_t end = 0;
@@ -115,8 +116,9 @@ class RecordEnd {
     }
   }
 
-  /// Moves areas to where the room of their cells is now: first those that go up, the last of them first;
-  /// then the others. So none is written over before it has moved.
+  /// Moves face_areas from the offsets `before` to the new ones, in place: first ranges that move to higher
+  /// indices, from the last to the first; then the others, from the first on. So none is overwritten before
+  /// it has moved.
   void moveAreas(std::span<const Changed> changed, const Offsets& before) {
     if (changed.empty()) return;
     const auto& offsets = out_.face_offsets;
